@@ -132,6 +132,10 @@ const struct um_app_option *um_app_option_at(size_t index);
 /* The next of a list of ids, parted by blanks, NULL at its end; *list moves. */
 const struct um_app_option *um_app_option_next(const char **list);
 
+/* Returns the exit status. UM_APP_MISUSE: said what is wrong; the usage line is printed behind it.
+ */
+typedef int um_app_command(struct um_context *context, const struct um_app_options *options);
+
 struct um_app_verb {
   const char *name;
   const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
@@ -139,8 +143,7 @@ struct um_app_verb {
   const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
   const char *about;           /* what help adds; NULL: nothing */
   const char *examples;        /* a line each */
-  /* UM_APP_MISUSE: said what is wrong; the usage line is printed behind it */
-  int (*run)(struct um_context *context, const struct um_app_options *options);
+  um_app_command *run;
 };
 size_t um_app_verb_count(void);
 const struct um_app_verb *um_app_verb_at(size_t index);
@@ -180,39 +183,15 @@ enum um_status um_app_out_folder(struct um_context *context, const struct um_app
                                  const char *name, char **out);
 /* "REL" or "REL,FLOOR"; who takes the numbers checks their range. */
 bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor);
-int um_app_run(struct um_context *context, const struct um_app_options *options);
-int um_app_study(struct um_context *context, const struct um_app_options *options);
-int um_app_cases(struct um_context *context, const struct um_app_options *options);
-int um_app_exchange(struct um_context *context, const struct um_app_options *options);
-int um_app_check(struct um_context *context, const struct um_app_options *options);
-int um_app_passes(struct um_context *context, const struct um_app_options *options);
-int um_app_forecast(struct um_context *context, const struct um_app_options *options);
-int um_app_filters(struct um_context *context, const struct um_app_options *options);
-int um_app_retrieve(struct um_context *context, const struct um_app_options *options);
-int um_app_photometry(struct um_context *context, const struct um_app_options *options);
-int um_app_calibrate(struct um_context *context, const struct um_app_options *options);
 /* "MAG,X,Y"; false: it is something else. */
 bool um_app_star_parse(const char *text, double out[3]);
-int um_app_sensors(struct um_context *context, const struct um_app_options *options);
-int um_app_materials_profile(struct um_context *context, const struct um_app_options *options);
-int um_app_materials_reflectance(struct um_context *context, const struct um_app_options *options);
-int um_app_materials_fit(struct um_context *context, const struct um_app_options *options);
-int um_app_materials(struct um_context *context, const struct um_app_options *options);
-int um_app_effects(struct um_context *context, const struct um_app_options *options);
-int um_app_render(struct um_context *context, const struct um_app_options *options);
-int um_app_frame(struct um_context *context, const struct um_app_options *options);
-int um_app_expand(struct um_context *context, const struct um_app_options *options);
-int um_app_attitude(struct um_context *context, const struct um_app_options *options);
-int um_app_map(struct um_context *context, const struct um_app_options *options);
-int um_app_compare(struct um_context *context, const struct um_app_options *options);
-int um_app_period(struct um_context *context, const struct um_app_options *options);
-int um_app_import(struct um_context *context, const struct um_app_options *options);
-int um_app_diagnose(struct um_context *context, const struct um_app_options *options);
-int um_app_fit(struct um_context *context, const struct um_app_options *options);
-int um_app_synth(struct um_context *context, const struct um_app_options *options);
-int um_app_validate(struct um_context *context, const struct um_app_options *options);
-int um_app_schema(struct um_context *context, const struct um_app_options *options);
-int um_app_completion(struct um_context *context, const struct um_app_options *options);
-int um_app_help_command(struct um_context *context, const struct um_app_options *options);
+
+/* The commands. */
+um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_check, um_app_passes,
+    um_app_forecast, um_app_filters, um_app_retrieve, um_app_photometry, um_app_calibrate,
+    um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
+    um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
+    um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
+    um_app_synth, um_app_validate, um_app_schema, um_app_completion, um_app_help_command;
 
 #endif

@@ -1,6 +1,5 @@
 /* umbra attitude: spins that agree with measured light. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/app.h"
@@ -155,10 +154,8 @@ static void json_all(const struct work *w)
   const struct um_compare_spins *s = w->spins;
   char at[40];
   um_compare_time_text(s->at_tai, at);
-  printf("{\"name\": ");
-  um_core_json_string(stdout, w->model->scenario->name);
-  printf(", \"folder\": ");
-  um_core_json_string(stdout, w->out);
+  um_core_json_text(stdout, "{", "name", w->model->scenario->name);
+  um_core_json_text(stdout, ", ", "folder", w->out);
   printf(", \"observations\": %zu, \"rows_in_shadow\": %zu, \"laws\": %zu, \"at_utc\": \"%s\", "
          "\"frame\": \"%s\", \"not_told_apart\": %zu,\n  \"solutions\": [",
          s->nobservation, w->on_map->dark, s->nlaw, at, s->lvlh ? "lvlh" : "gcrs", agreeing(s));

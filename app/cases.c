@@ -1,6 +1,5 @@
 /* umbra cases: temperatures of every case, and how far they stay from the limits. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "app/app.h"
 #include "app/terminal.h"
@@ -62,18 +61,15 @@ static size_t print_cases(const struct um_variant_cases *cases, const char *fold
 static size_t json_cases(const struct um_variant_cases *cases, const char *folder)
 {
   size_t exceeded = 0;
-  printf("{\"folder\": ");
-  um_core_json_string(stdout, folder);
+  um_core_json_text(stdout, "{", "folder", folder);
   printf(", \"cases\": [");
   for (size_t i = 0; i < cases->count; i++) {
     const struct um_variant_case *c = &cases->item[i];
-    printf("%s\n  {\"name\": ", i > 0 ? "," : "");
-    um_core_json_string(stdout, c->name);
+    um_core_json_text(stdout, i > 0 ? ",\n  {" : "\n  {", "name", c->name);
     printf(", \"analysis\": \"%s\", \"places\": [", um_variant_analysis_name(c->analysis));
     for (size_t p = 0; p < c->nplace; p++) {
       const struct um_variant_case_place *place = &c->place[p];
-      printf("%s\n    {\"name\": ", p > 0 ? "," : "");
-      um_core_json_string(stdout, place->name);
+      um_core_json_text(stdout, p > 0 ? ",\n    {" : "\n    {", "name", place->name);
       um_core_json_field(stdout, ", ", "mean_K", place->mean);
       um_core_json_field(stdout, ", ", "lowest_K", place->lowest);
       um_core_json_field(stdout, ", ", "highest_K", place->highest);
@@ -123,8 +119,7 @@ int um_app_cases(struct um_context *context, const struct um_app_options *option
 done:
   um_core_folder_abort(&folder);
   um_variant_cases_destroy(context, &cases);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, out, name);
   if (status != UM_OK) return um_app_fail(context);
   return exceeded > 0 ? UM_APP_EXCEEDED : UM_APP_DONE;
 }

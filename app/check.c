@@ -59,8 +59,7 @@ static void json_parts(const struct um_geometry *g)
   printf(",\n  \"parts\": [");
   for (size_t i = 0; i < um_geometry_part_count(g); i++) {
     struct um_geometry_report r = um_geometry_report(g, i);
-    printf("%s\n    {\"name\": ", i > 0 ? "," : "");
-    um_core_json_string(stdout, r.part);
+    um_core_json_text(stdout, i > 0 ? ",\n    {" : "\n    {", "name", r.part);
     printf(", \"facets\": %zu, \"vertices\": %zu", r.nfacet, r.nvertex);
     um_core_json_field(stdout, ", ", "area_m2", r.area);
     um_core_json_field(stdout, ", ", "volume_m3", r.volume);
@@ -74,8 +73,8 @@ static void json_materials(const struct um_model *model)
 {
   printf(",\n  \"materials\": [");
   for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
-    printf("%s\n    {\"name\": ", m > 0 ? "," : "");
-    um_core_json_string(stdout, um_geometry_material_name(model->geometry, m));
+    um_core_json_text(stdout, m > 0 ? ",\n    {" : "\n    {", "name",
+                      um_geometry_material_name(model->geometry, m));
     um_core_json_field(stdout, ", ", "area_m2", material_area(model, m));
     um_core_json_field(stdout, ", ", "solar_absorptance",
                        um_materials_solar_absorptance(model->material[m], NULL));
@@ -90,8 +89,7 @@ static void json_materials(const struct um_model *model)
 static void print_json(const struct um_model *model, const struct um_environment_sample *s,
                        const char *start, const char *stop)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, model->scenario->name);
+  um_core_json_text(stdout, "{", "name", model->scenario->name);
   printf(",\n  \"start_utc\": \"%s\", \"stop_utc\": \"%s\"", start, stop);
   um_core_json_field(stdout, ", ", "step_s", model->scenario->time->step_s);
   um_core_json_field(stdout, ",\n  ", "altitude_km",

@@ -5,6 +5,7 @@
 #include "app/app.h"
 #include "base/core/listing.h"
 #include "effects/effects.h"
+#include "environment/environment.h"
 #include "model/build/sensor_preset.h"
 #include "model/scenario/scenario_schema.h"
 
@@ -171,20 +172,14 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
   const char *shell = options->positional[0];
   bool zsh = strcmp(shell, "zsh") == 0;
   enum um_status status;
-  char *folder = NULL, **sensors = NULL;
+  char **sensors = NULL;
   size_t nsensor = 0;
   struct um_materials_library *library = NULL;
-  struct um_environment environment;
-  struct um_materials_sun sun;
   if (!zsh && strcmp(shell, "bash") != 0) {
     fprintf(stderr, "umbra: no completion for '%.60s'; accepted: bash, zsh\n", shell);
     return UM_APP_MISUSE;
   }
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   UM_CHECK(um_model_sensor_presets(context, &sensors, &nsensor));
   if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", stdout);
   fputs("# Completion of umbra " UM_APP_VERSION ", written by: umbra completion\n", stdout);
@@ -197,7 +192,6 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
         stdout);
 done:
   um_core_listing_free(context, sensors, nsensor);
-  um_core_free(context, folder);
   um_materials_library_destroy(&library);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -4,36 +4,25 @@
 
 static void json_parameter(const struct um_effect_parameter *p)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, p->name);
-  printf(", \"unit\": ");
-  um_core_json_string(stdout, p->unit);
-  printf(", \"default\": ");
-  um_core_json_number(stdout, p->default_value);
-  printf(", \"minimum\": ");
-  um_core_json_number(stdout, p->minimum);
-  printf(", \"maximum\": ");
-  um_core_json_number(stdout, p->maximum);
-  printf(", \"null_value\": ");
-  um_core_json_number(stdout, p->null_value);
-  printf(", \"prior_sigma\": ");
-  um_core_json_number(stdout, p->prior_sigma);
+  um_core_json_text(stdout, "{", "name", p->name);
+  um_core_json_text(stdout, ", ", "unit", p->unit);
+  um_core_json_field(stdout, ", ", "default", p->default_value);
+  um_core_json_field(stdout, ", ", "minimum", p->minimum);
+  um_core_json_field(stdout, ", ", "maximum", p->maximum);
+  um_core_json_field(stdout, ", ", "null_value", p->null_value);
+  um_core_json_field(stdout, ", ", "prior_sigma", p->prior_sigma);
   printf(", \"logarithmic\": %s", p->logarithmic ? "true" : "false");
-  printf(", \"help\": ");
-  um_core_json_string(stdout, p->help);
+  um_core_json_text(stdout, ", ", "help", p->help);
   printf("}");
 }
 
 static void json_effect(const struct um_effect *e)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, e->name);
+  um_core_json_text(stdout, "{", "name", e->name);
   printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
   um_core_json_string(stdout, e->summary);
-  printf(", \"validity\": ");
-  um_core_json_string(stdout, e->validity);
-  printf(", \"reference\": ");
-  um_core_json_string(stdout, e->reference);
+  um_core_json_text(stdout, ", ", "validity", e->validity);
+  um_core_json_text(stdout, ", ", "reference", e->reference);
   printf(", \"separated_by\": ");
   if (e->separated_by != NULL)
     um_core_json_string(stdout, e->separated_by);

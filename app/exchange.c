@@ -14,8 +14,7 @@ static void print(const struct um_app_options *options,
                   const struct um_geometry_view_factor_table *table, const char *folder)
 {
   if (options->json) {
-    printf("{\"folder\": ");
-    um_core_json_string(stdout, folder);
+    um_core_json_text(stdout, "{", "folder", folder);
     printf(", \"patches_outside\": %zu, \"patches_inside\": %zu, \"rooms\": %zu, \"poses\": %zu}\n",
            table->noutside, table->patches->npatch - table->noutside, table->nroom, table->npose);
     return;
@@ -68,7 +67,6 @@ done:
   um_thermal_exchange_destroy(context, &exchange);
   um_model_precomputed_destroy(context, &precomputed);
   um_model_destroy(context, &model);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, out, name);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

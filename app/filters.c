@@ -47,8 +47,7 @@ static void print_row(const char *name, const struct row *r, bool json, bool las
   const char *const keys[] = {"from_um", "to_um", "pivot_um", "peak", "sun_ab", "vega_ab"};
   const double values[] = {r->from * 1e6, r->to * 1e6, r->pivot * 1e6,
                            r->peak,       r->sun_ab,   r->vega_ab};
-  printf("  {\"name\": ");
-  um_core_json_string(stdout, name);
+  um_core_json_text(stdout, "  {", "name", name);
   for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
     printf(", \"%s\": ", keys[i]);
     um_core_json_number(stdout, values[i]);

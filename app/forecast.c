@@ -185,10 +185,8 @@ static void json(const struct um_forecast *f, const char *folder)
 {
   size_t failed = 0;
   for (size_t i = 0; i < f->npass; i++) failed += f->pass[i].reason != NULL ? 1 : 0;
-  printf("{\"name\": ");
-  um_core_json_string(stdout, f->name);
-  printf(", \"folder\": ");
-  um_core_json_string(stdout, folder);
+  um_core_json_text(stdout, "{", "name", f->name);
+  um_core_json_text(stdout, ", ", "folder", folder);
   printf(", \"passes\": %zu, \"not_computed\": %zu, \"magnitudes\": {", f->npass, failed);
   for (size_t b = 0; b < f->nband; b++) {
     if (b > 0) printf(", ");
@@ -283,9 +281,6 @@ done:
   um_forecast_destroy(context, &forecast);
   for (size_t i = 0; station != NULL && i < options->nstation; i++)
     um_core_free(context, (void *)station[i].name);
-  um_core_free(context, station);
-  um_core_free(context, records);
-  um_core_free(context, out);
-  um_core_free(context, name);
+  UM_FREE(context, station, records, out, name);
   return status == UM_OK ? code : um_app_fail(context);
 }

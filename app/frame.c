@@ -223,9 +223,7 @@ static enum um_status frame(struct um_context *context, const struct um_app_opti
   UM_CHECK(draw(context, options, &scene));
   print_frame(options, &scene);
 done:
-  um_core_free(context, scene.counts);
-  um_core_free(context, scene.star);
-  um_core_free(context, scene.marked);
+  UM_FREE(context, scene.counts, scene.star, scene.marked);
   um_model_frame_clear(context, &scene.frame);
   um_model_result_destroy(context, &result);
   um_model_precomputed_destroy(context, &precomputed);

@@ -1,5 +1,4 @@
 /* umbra import: tracks of a survey as a measurement file. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/app.h"

@@ -6,7 +6,6 @@
 #include "app/map_options.h"
 #include "app/terminal.h"
 #include "base/core/constants.h"
-#include "base/core/number.h"
 #include "evidence/inversion/on_map.h"
 #include "evidence/measurements/measurements.h"
 #include "model/build/build.h"
@@ -83,8 +82,7 @@ static void json_band(const struct work *w, size_t b)
   struct um_model_map_node high;
   double at[2], mean;
   summary(w, b, &high, at, &mean);
-  printf("{\"name\": ");
-  um_core_json_string(stdout, w->model->band[b].name);
+  um_core_json_text(stdout, "{", "name", w->model->band[b].name);
   um_core_json_field(stdout, ", ", "mean_m2_sr", mean);
   um_core_json_field(stdout, ", ", "highest_m2_sr", high.mean);
   um_core_json_field(stdout, ", ", "highest_latitude_deg", at[0]);
@@ -103,10 +101,8 @@ static void json_band(const struct work *w, size_t b)
 
 static void json_all(const struct work *w)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, w->model->scenario->name);
-  printf(", \"folder\": ");
-  um_core_json_string(stdout, w->out);
+  um_core_json_text(stdout, "{", "name", w->model->scenario->name);
+  um_core_json_text(stdout, ", ", "folder", w->out);
   printf(", \"phase_angles_deg\": [");
   for (size_t g = 0; g < w->map->nphase; g++)
     printf("%s%.9g", g > 0 ? ", " : "", w->map->phase_angle[g] / UM_DEG);

@@ -84,22 +84,17 @@ static void print_one(const struct um_materials_record *r)
 
 static void json_record(const struct um_materials_record *r)
 {
-  printf("{\"name\": ");
-  um_core_json_string(stdout, um_materials_name(r));
-  printf(", \"summary\": ");
-  um_core_json_string(stdout, um_materials_summary(r));
-  printf(", \"source\": ");
-  um_core_json_string(stdout, um_materials_citation(r));
-  printf(", \"solar_absorptance\": ");
-  um_core_json_number(stdout, um_materials_solar_absorptance(r, NULL));
-  printf(", \"emittance\": ");
-  um_core_json_number(stdout, um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
-  printf(", \"normal_emittance\": ");
-  um_core_json_number(stdout, um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
-  printf(", \"catalogue_solar_absorptance\": ");
-  um_core_json_number(stdout, um_materials_catalogue(r).solar_absorptance);
-  printf(", \"catalogue_emittance\": ");
-  um_core_json_number(stdout, um_materials_catalogue(r).emittance);
+  um_core_json_text(stdout, "{", "name", um_materials_name(r));
+  um_core_json_text(stdout, ", ", "summary", um_materials_summary(r));
+  um_core_json_text(stdout, ", ", "source", um_materials_citation(r));
+  um_core_json_field(stdout, ", ", "solar_absorptance", um_materials_solar_absorptance(r, NULL));
+  um_core_json_field(stdout, ", ", "emittance",
+                     um_materials_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
+  um_core_json_field(stdout, ", ", "normal_emittance",
+                     um_materials_normal_emittance(r, NULL, UM_REFERENCE_TEMPERATURE));
+  um_core_json_field(stdout, ", ", "catalogue_solar_absorptance",
+                     um_materials_catalogue(r).solar_absorptance);
+  um_core_json_field(stdout, ", ", "catalogue_emittance", um_materials_catalogue(r).emittance);
   printf(", \"grey\": %s}", um_materials_is_grey(r) ? "true" : "false");
 }
 
@@ -129,18 +124,11 @@ static void print_table(const struct um_materials_library *library)
 int um_app_materials(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
-  char *folder = NULL;
   struct um_materials_library *library = NULL;
-  struct um_environment environment;
-  struct um_materials_sun sun;
   if (options->from_reflectance != NULL) return um_app_materials_reflectance(context, options);
   if (options->from_profile != NULL) return um_app_materials_profile(context, options);
   if (options->from_brdf != NULL) return um_app_materials_fit(context, options);
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   if (options->npositional == 1) {
     const char *name = options->positional[0];
     const struct um_materials_record *r = um_materials_library_find(library, name);
@@ -162,7 +150,6 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
     print_table(library);
   }
 done:
-  um_core_free(context, folder);
   um_materials_library_destroy(&library);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

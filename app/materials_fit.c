@@ -63,24 +63,16 @@ static void json_fits(const char *surface, const struct um_materials_brdf_fit *f
                       bool last)
 {
   for (size_t k = 0; k < count; k++) {
-    printf("  {\"surface\": ");
-    um_core_json_string(stdout, surface);
-    printf(", \"kind\": ");
-    um_core_json_string(stdout, fit[k].lobe.kind->name);
-    printf(", \"masking\": ");
-    um_core_json_string(stdout, masking(&fit[k]));
+    um_core_json_text(stdout, "  {", "surface", surface);
+    um_core_json_text(stdout, ", ", "kind", fit[k].lobe.kind->name);
+    um_core_json_text(stdout, ", ", "masking", masking(&fit[k]));
     printf(", \"rows\": %zu, \"diffuse\": ", fit[k].nrow);
     um_core_json_number(stdout, fit[k].diffuse);
-    printf(", \"specular\": ");
-    um_core_json_number(stdout, fit[k].specular);
-    printf(", \"alpha\": ");
-    um_core_json_number(stdout, fit[k].lobe.alpha);
-    printf(", \"rms_ln\": ");
-    um_core_json_number(stdout, fit[k].rms);
-    printf(", \"largest_ln\": ");
-    um_core_json_number(stdout, fit[k].largest);
-    printf(", \"reflected\": ");
-    um_core_json_number(stdout, fit[k].albedo);
+    um_core_json_field(stdout, ", ", "specular", fit[k].specular);
+    um_core_json_field(stdout, ", ", "alpha", fit[k].lobe.alpha);
+    um_core_json_field(stdout, ", ", "rms_ln", fit[k].rms);
+    um_core_json_field(stdout, ", ", "largest_ln", fit[k].largest);
+    um_core_json_field(stdout, ", ", "reflected", fit[k].albedo);
     printf("}%s\n", last && k + 1 == count ? "" : ",");
   }
 }
@@ -134,16 +126,11 @@ int um_app_materials_profile(struct um_context *context, const struct um_app_opt
   UM_CHECK(um_materials_heights_read(context, options->from_profile, &h));
   UM_CHECK(um_materials_heights_roughness(context, &h, &r));
   if (options->json) {
-    printf("{\"rq_um\": ");
-    um_core_json_number(stdout, r.rq * 1e6);
-    printf(", \"tau_um\": ");
-    um_core_json_number(stdout, r.tau * 1e6);
-    printf(", \"alpha\": ");
-    um_core_json_number(stdout, r.alpha);
-    printf(", \"alpha_gaussian\": ");
-    um_core_json_number(stdout, r.alpha_gaussian);
-    printf(", \"steps_of_tau\": ");
-    um_core_json_number(stdout, r.samples);
+    um_core_json_field(stdout, "{", "rq_um", r.rq * 1e6);
+    um_core_json_field(stdout, ", ", "tau_um", r.tau * 1e6);
+    um_core_json_field(stdout, ", ", "alpha", r.alpha);
+    um_core_json_field(stdout, ", ", "alpha_gaussian", r.alpha_gaussian);
+    um_core_json_field(stdout, ", ", "steps_of_tau", r.samples);
     printf("}\n");
   } else {
     printf("%zu x %zu heights, steps %g x %g um\n", h.nx, h.ny, h.dx * 1e6, h.dy * 1e6);

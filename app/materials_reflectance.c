@@ -57,24 +57,19 @@ static void print_record(const struct laboratory *l)
 
 static void print_json(const struct laboratory *l)
 {
-  printf("{\"reference\": ");
-  um_core_json_string(stdout, l->reference);
-  printf(", \"angle_deg\": ");
-  um_core_json_number(stdout, l->angle);
+  um_core_json_text(stdout, "{", "reference", l->reference);
+  um_core_json_field(stdout, ", ", "angle_deg", l->angle);
   printf(", \"above_one\": %zu, \"largest\": ", l->measured.nabove);
   um_core_json_number(stdout, l->measured.largest);
   if (l->rough) {
-    printf(", \"rq_um\": ");
-    um_core_json_number(stdout, l->slope.rq * 1e6);
-    printf(", \"tau_um\": ");
-    um_core_json_number(stdout, l->slope.tau * 1e6);
+    um_core_json_field(stdout, ", ", "rq_um", l->slope.rq * 1e6);
+    um_core_json_field(stdout, ", ", "tau_um", l->slope.tau * 1e6);
   }
   printf(", \"rows\": [");
   for (size_t i = 0; i < l->measured.n; i++) {
-    printf("%s{\"wavelength_um\": ", i == 0 ? "" : ", ");
-    um_core_json_number(stdout, l->measured.wavelength[i] * 1e6);
-    printf(", \"reflectance\": ");
-    um_core_json_number(stdout, l->measured.reflectance[i]);
+    um_core_json_field(stdout, i == 0 ? "{" : ", {", "wavelength_um",
+                       l->measured.wavelength[i] * 1e6);
+    um_core_json_field(stdout, ", ", "reflectance", l->measured.reflectance[i]);
     printf("}");
   }
   printf("]}\n");
@@ -129,16 +124,9 @@ int um_app_materials_reflectance(struct um_context *context, const struct um_app
 {
   enum um_status status;
   struct laboratory l = {0};
-  char *folder = NULL;
   struct um_materials_library *library = NULL;
-  struct um_environment environment;
-  struct um_materials_sun sun;
   UM_CHECK(check_options(context, options, &l));
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   UM_CHECK(read_measured(context, options->from_reflectance, library, &l));
   if (options->from_profile != NULL) UM_CHECK(read_heights(context, options->from_profile, &l));
   if (options->json)
@@ -148,6 +136,5 @@ int um_app_materials_reflectance(struct um_context *context, const struct um_app
 done:
   um_materials_ratio_free(context, &l.measured);
   um_materials_library_destroy(&library);
-  um_core_free(context, folder);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

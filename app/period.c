@@ -52,18 +52,12 @@ static void print_json(const struct um_compare_period_report *r)
     um_core_json_string(stdout, of->of);
     printf(", \"named\": %s, \"period_s\": ", um_compare_period_is_named(p) ? "true" : "false");
     um_core_json_number(stdout, um_compare_period_is_named(p) ? p->period : (double)NAN);
-    printf(", \"highest_peak_s\": ");
-    um_core_json_number(stdout, p->period);
-    printf(", \"red_noise\": ");
-    um_core_json_number(stdout, p->red);
-    printf(", \"red_noise_time_s\": ");
-    um_core_json_number(stdout, p->red_time);
-    printf(", \"sigma_s\": ");
-    um_core_json_number(stdout, p->period_sigma);
-    printf(", \"power\": ");
-    um_core_json_number(stdout, p->best_power);
-    printf(", \"false_alarm\": ");
-    um_core_json_number(stdout, p->false_alarm);
+    um_core_json_field(stdout, ", ", "highest_peak_s", p->period);
+    um_core_json_field(stdout, ", ", "red_noise", p->red);
+    um_core_json_field(stdout, ", ", "red_noise_time_s", p->red_time);
+    um_core_json_field(stdout, ", ", "sigma_s", p->period_sigma);
+    um_core_json_field(stdout, ", ", "power", p->best_power);
+    um_core_json_field(stdout, ", ", "false_alarm", p->false_alarm);
     printf(", \"maximum_utc\": \"%s\"}", epoch);
   }
   printf("]\n");
@@ -80,8 +74,7 @@ int um_app_period(struct um_context *context, const struct um_app_options *optio
   UM_CHECK(um_compare_measurements_read(context, options->positional[0], &measurements));
   UM_CHECK(um_compare_period_report_create(context, measurements, options->band, &search, &report));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(
-      um_compare_period_write(context, report, !options->no_plots, um_core_folder_path(folder)));
+  UM_CHECK(um_compare_period_write(context, report, !options->no_plots, folder));
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
   if (options->json)

@@ -6,7 +6,6 @@
 
 #include "app/app.h"
 #include "app/target.h"
-#include "app/terminal.h"
 #include "base/core/file.h"
 #include "base/core/number.h"
 #include "base/core/text.h"
@@ -133,29 +132,15 @@ static enum um_status measure_star(struct um_context *context, const char *path,
 static enum um_status write_stars(struct um_context *context, const struct um_app_options *options,
                                   const struct stars *stars)
 {
-  enum um_status status = UM_OK;
-  char *partial = NULL;
-  FILE *file = NULL;
-  UM_TRY(um_core_file_partial(context, options->out, &partial));
-  file = fopen(partial, "w");
-  if (file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: cannot be written", options->out);
-    goto done;
-  }
-  fputs("magnitude_ab,airmass,count_rate,sigma,flag\n", file);
+  struct um_core_whole_file whole;
+  UM_TRY(um_core_whole_begin(context, options->out, &whole));
+  fputs("magnitude_ab,airmass,count_rate,sigma,flag\n", whole.file);
   for (size_t i = 0; i < frames(options) * stars->n; i++) {
     const struct um_compare_photometry *p = &stars->of[i];
-    fprintf(file, "%.9g,%.9g,%.9g,%.9g,%d\n", stars->asked[i % stars->n][0], p->airmass, p->rate,
-            p->sigma, p->sum.saturated > 0);
+    fprintf(whole.file, "%.9g,%.9g,%.9g,%.9g,%d\n", stars->asked[i % stars->n][0], p->airmass,
+            p->rate, p->sigma, p->sum.saturated > 0);
   }
-  UM_CHECK(um_core_file_close(context, options->out, &file));
-  if (rename(partial, options->out) != 0)
-    status = um_core_fail(context, UM_ERR_IO, "%s: cannot be written", options->out);
-done:
-  if (file != NULL) (void)fclose(file);
-  if (status != UM_OK) (void)remove(partial);
-  um_core_free(context, partial);
-  return status;
+  return um_core_whole_end(context, &whole, UM_OK);
 }
 
 /* Every star in every frame, as a table for umbra calibrate. */
@@ -176,8 +161,7 @@ static enum um_status measure_stars(struct um_context *context,
   print_head();
   for (size_t i = 0; i < n; i++) print_row(frame_at(options, i / stars.n), &stars.of[i]);
 done:
-  um_core_free(context, stars.asked);
-  um_core_free(context, stars.of);
+  UM_FREE(context, stars.asked, stars.of);
   return status;
 }
 

@@ -62,8 +62,7 @@ static enum um_status mean_radiance(struct um_context *context, const struct um_
       sum += um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);
   *out = sum / ((double)image->width * (double)image->height);
 done:
-  um_core_free(context, weight);
-  um_core_free(context, weighed);
+  UM_FREE(context, weight, weighed);
   return status;
 }
 

@@ -1,6 +1,5 @@
 /* umbra run: light curves and temperatures of a scenario into a folder. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -9,11 +8,9 @@
 #include "app/run_pictures.h"
 #include "app/space_error.h"
 #include "app/terminal.h"
-#include "base/core/constants.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
 #include "model/run/run.h"
-#include "orbit/time.h"
 #include "output/output.h"
 
 /* Mean, lowest and highest temperature of a place over the run [K]. */
@@ -63,8 +60,7 @@ static void json_heat(const struct um_model_result *r)
   for (size_t p = 0; p < r->nplace; p++) {
     double t[3];
     place_summary(r, p, t);
-    printf("%s\n    {\"name\": ", p > 0 ? "," : "");
-    um_core_json_string(stdout, r->place[p].name);
+    um_core_json_text(stdout, p > 0 ? ",\n    {" : "\n    {", "name", r->place[p].name);
     um_core_json_field(stdout, ", ", "mean_K", t[0]);
     um_core_json_field(stdout, ", ", "lowest_K", t[1]);
     um_core_json_field(stdout, ", ", "highest_K", t[2]);
@@ -108,10 +104,8 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
 static void json_run(const struct um_output_run *run, const char *folder, double *work)
 {
   const struct um_model_result *r = run->result;
-  printf("{\"name\": ");
-  um_core_json_string(stdout, run->model->scenario->name);
-  printf(", \"folder\": ");
-  um_core_json_string(stdout, folder);
+  um_core_json_text(stdout, "{", "name", run->model->scenario->name);
+  um_core_json_text(stdout, ", ", "folder", folder);
   printf(",\n  \"observations\": %zu, \"hidden_observations\": %zu, \"surfaces\": %zu, "
          "\"heat_nodes\": %zu, \"integrator_steps\": %zu",
          r->nobs, hidden_count(run->precomputed), r->nsurface, r->nnode, r->steps);

@@ -83,8 +83,7 @@ void um_app_run_json_band(const struct um_output_run *run, size_t band, double *
   const struct um_model_result *r = run->result;
   struct band_summary s = band_summary(run->precomputed, r, band, work);
   double sum = 0.0;
-  printf("{\"name\": ");
-  um_core_json_string(stdout, run->model->band[band].name);
+  um_core_json_text(stdout, "{", "name", run->model->band[band].name);
   um_core_json_field(stdout, ", ", "lowest_W_sr", s.low);
   um_core_json_field(stdout, ", ", "highest_W_sr", s.high);
   um_core_json_field(stdout, ", ", "relative_error", s.error);

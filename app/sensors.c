@@ -20,8 +20,7 @@ static enum um_status print_one(struct um_context *context, const char *name)
   UM_CHECK(um_core_file_read(context, path, LONGEST, &text, &length));
   fputs(text, stdout);
 done:
-  um_core_free(context, text);
-  um_core_free(context, path);
+  UM_FREE(context, text, path);
   return status;
 }
 

@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "app/app.h"
 #include "base/core/constants.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"

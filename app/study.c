@@ -119,7 +119,6 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
 done:
   um_study_result_destroy(context, &result);
   um_study_destroy(context, &study);
-  um_core_free(context, folder);
-  um_core_free(context, records);
+  UM_FREE(context, folder, records);
   return status == UM_OK ? code : um_app_fail(context);
 }

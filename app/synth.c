@@ -105,7 +105,6 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
   print_set(made, options->out);
 done:
   um_compare_measurements_destroy(context, &made);
-  um_core_free(context, (void *)place);
-  um_core_free(context, list);
+  UM_FREE(context, (void *)place, list);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

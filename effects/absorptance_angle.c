@@ -10,14 +10,8 @@
  * by angular moments of the loads (environment/angular_moments.h), T_E that of its radiation; what
  * other surfaces reflect comes from all sides and is taken with the hemispherical mean. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->absorptance_by_angle = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->absorptance_by_angle = false)
 
 const struct um_effect um_effects_absorptance_angle = {
     UM_EFFECT_ABI,

@@ -1,15 +1,8 @@
 /* Aerosol above the station: depth' = depth + d at 0.55 um, d (lambda / 0.55 um)^-angstrom
  * elsewhere. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment_clear_sky *sky)
-{
-  (void)context;
-  sky->aerosol += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_SKY(add, sky->aerosol += use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "depth",
@@ -34,7 +27,6 @@ const struct um_effect um_effects_aerosol = {
     .separated_by = "extinction and zero_point: two bands of different colour over a range of "
                     "airmasses; standard stars",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = add},
 };

@@ -1,14 +1,8 @@
 /* Albedo as a heat load: q = alpha int a S max(cos SZA, 0) cos(theta) cos(theta_E) / (pi d^2) dA
  * over the visible cap. Its optical twin is earthshine. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->albedo_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->albedo_on = false)
 
 const struct um_effect um_effects_albedo = {
     UM_EFFECT_ABI,

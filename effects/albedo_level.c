@@ -50,7 +50,6 @@ const struct um_effect um_effects_albedo_level = {
         "solar_absorptance: temperatures over a whole orbit, or visible light at large phase "
         "angles; it follows the Sun over the ground below and vanishes on the night side",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

@@ -26,7 +26,6 @@ const struct um_effect um_effects_along_track = {
     .separated_by = "time_tag: positions against stars in the same frames, with frames timed by "
                     "GNSS; the orbit moves range, direction and the shadow, not attitude and stars",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.along_track = shift},
 };

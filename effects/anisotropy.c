@@ -1,7 +1,6 @@
 /* Anisotropy: the lobe is wider across the grain than along it, or narrower, by a factor of the
  * alpha across. Of a lobe that is alike all round it makes one with a grain. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "across_factor",
@@ -16,15 +15,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "tows and brushed metal 1 to 10 times as rough across as along"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->lobe.log_across += log(use->value[0]);
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->lobe.log_across += log(use->value[0]))
 
 const struct um_effect um_effects_anisotropy = {
     UM_EFFECT_ABI,
@@ -36,7 +27,6 @@ const struct um_effect um_effects_anisotropy = {
     .separated_by = "roughness and mli_creases: the same glint passed along the grain and across "
                     "it, from two directions of the body or in two passes",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

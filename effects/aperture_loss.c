@@ -39,7 +39,6 @@ const struct um_effect um_effects_aperture_loss = {
     .separated_by = "extinction and zero_point: the counts of stars in circles of two sizes, or in "
                     "the same circle at the same airmass",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

@@ -51,7 +51,6 @@ const struct um_effect um_effects_area = {
     .separated_by = "zero_point and band_emissivity: visible and thermal infrared change by one "
                     "factor, and only at phases that show the part",
     .targets = UM_TARGET_PART,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.geometry = geometry},
 };

@@ -36,7 +36,6 @@ const struct um_effect um_effects_array_angle = {
     .separated_by = "attitude_offset: the time of the array's glint against that of the body's; "
                     "only the array's light and heat move",
     .targets = UM_TARGET_PART,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.geometry = geometry},
 };

@@ -1,14 +1,8 @@
 /* The air above the station: E = E_0 t(lambda) before filter and detector, t of
  * environment/clear_sky.c along the path of each instant. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->sky.on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->sky.on = false)
 
 const struct um_effect um_effects_atmosphere = {
     UM_EFFECT_ABI,

@@ -52,7 +52,6 @@ const struct um_effect um_effects_attitude_offset = {
     .separated_by = "time_tag, spin_period and array_angle: glints of several sides in different "
                     "directions; one turn must move them all, and temperatures with them",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.attitude = attitude},
 };

@@ -13,13 +13,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "depends on the instrument: none"},
 };
 
-static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
-                                  struct um_effect_observation *o)
-{
-  (void)context;
-  if (um_effect_acts_on(use, o->band)) o->value += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_OBSERVATION(observation, o->value += use->value[0])
 
 const struct um_effect um_effects_background = {
     UM_EFFECT_ABI,
@@ -32,7 +26,6 @@ const struct um_effect um_effects_background = {
     .separated_by = "earthshine and zero_point: frames beside the satellite; it does not fall with "
                     "range, and counts most where the satellite is faint",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

@@ -31,15 +31,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "0.75 to 1.1 of the total emittance"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->band_emissivity_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->band_emissivity_scale *= use->value[0])
 
 const struct um_effect um_effects_band_emissivity = {
     UM_EFFECT_ABI,
@@ -53,7 +45,6 @@ const struct um_effect um_effects_band_emissivity = {
         "emittance, zero_point and area: a temperature of that side measured beside the thermal "
         "infrared stays when only the band differs; a second band tells it from area",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -5,14 +5,8 @@
  *
  * Numbers that a scenario states itself hold at every temperature. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->bulk_by_temperature = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->bulk_by_temperature = false)
 
 const struct um_effect um_effects_bulk_temperature = {
     UM_EFFECT_ABI,

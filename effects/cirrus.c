@@ -1,15 +1,8 @@
 /* Thin ice cloud above the station: depth' = depth + d at 0.55 um. It takes as much of every colour
  * of the visible, nearly as much in 8-12 um, and glows there. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment_clear_sky *sky)
-{
-  (void)context;
-  sky->cirrus += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_SKY(add, sky->cirrus += use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "depth",
@@ -34,7 +27,6 @@ const struct um_effect um_effects_cirrus = {
     .separated_by = "zero_point and extinction: both bands over a range of airmasses; aerosol: two "
                     "colours; a radiometer of the sky at 10 um",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = add},
 };

@@ -49,7 +49,6 @@ const struct um_effect um_effects_contact_conductance = {
     .separated_by = "internal_power and through_conductance: temperatures of both ends over hours "
                     "draw together, in sunlight and in the dark alike",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.contact = scale},
 };

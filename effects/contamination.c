@@ -5,19 +5,11 @@
  * t_0 the start of the scenario's time, where the surface is as its record says. The line is the
  * beginning of any law of growth; ageing that is over by t_0 is solar_absorptance. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 #define DAY 86400.0 /* [s] */
 
-static enum um_status darken(struct um_context *context, const struct um_effect_use *use,
-                             const char *material, double t_tai,
-                             struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  if (um_effect_acts_on(use, material))
-    adjustment->absorptance_shift += use->value[0] * (t_tai - use->epoch) / DAY;
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(darken,
+                      adjustment->absorptance_shift += use->value[0] * (t_tai - use->epoch) / DAY)
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "absorptance_per_day",
@@ -41,7 +33,6 @@ const struct um_effect um_effects_contamination = {
     .separated_by = "solar_absorptance: passes weeks apart, over which the one grows and the other "
                     "stays",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = darken},
 };

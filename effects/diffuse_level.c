@@ -26,15 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->diffuse_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->diffuse_scale *= use->value[0])
 
 const struct um_effect um_effects_diffuse_level = {
     UM_EFFECT_ABI,
@@ -45,7 +37,6 @@ const struct um_effect um_effects_diffuse_level = {
     .separated_by = "zero_point and area: the light between glints changes while glints and the "
                     "thermal infrared stay",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

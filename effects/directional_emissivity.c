@@ -4,7 +4,6 @@
  * what is not emitted is reflected Earth, and what the Earth sends is absorbed alike
  * (absorptance_angle), which moves temperatures of spectral records a little. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "tilt",
@@ -18,15 +17,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "dielectrics fall and metals rise toward grazing by up to 30 %"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->emissivity_tilt += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->emissivity_tilt += use->value[0])
 
 const struct um_effect um_effects_directional_emissivity = {
     UM_EFFECT_ABI,
@@ -39,7 +30,6 @@ const struct um_effect um_effects_directional_emissivity = {
         "band_emissivity: thermal infrared of one side over a range of angles, best over a turn of "
         "the spin and in eclipse, where it changes at twice the spin rate",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

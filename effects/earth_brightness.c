@@ -50,7 +50,6 @@ const struct um_effect um_effects_earth_brightness = {
                     "infrared of bare metal that faces the Earth changes while its temperature "
                     "stays; earth_reflection_level is the same thing in one band",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = shift},
 };

@@ -1,14 +1,8 @@
 /* Earth IR as a heat load: q = epsilon OLR F(plate -> Earth). Its optical twin is
  * reflected_earth_ir. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->planet_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->planet_on = false)
 
 const struct um_effect um_effects_earth_ir = {
     UM_EFFECT_ABI,

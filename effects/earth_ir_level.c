@@ -3,14 +3,8 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment *environment)
-{
-  (void)context;
-  environment->outgoing_longwave *= use->value[0];
-  environment->longwave_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(scale, environment->outgoing_longwave *= use->value[0];
+                         environment->longwave_factor *= use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -47,7 +41,6 @@ const struct um_effect um_effects_earth_ir_level = {
     .separated_by = "internal_power and mli_emittance: temperatures of a side that faces the Earth "
                     "beside one that faces space, day and night",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

@@ -5,12 +5,7 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->earth = UM_EARTH_UNIFORM;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->earth = UM_EARTH_UNIFORM)
 
 static bool is_off(const struct um_environment *environment)
 {

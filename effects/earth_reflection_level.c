@@ -1,7 +1,6 @@
 /* Level of the Earth's own radiation that the satellite reflects to the observer. Its thermal twin
  * is the Earth-IR load, which stays. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "factor",
@@ -15,13 +14,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "220 to 290 K of brightness temperature"},
 };
 
-static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
-                                  struct um_environment *to)
-{
-  (void)context;
-  to->earth_reflection_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(environment, environment->earth_reflection_factor *= use->value[0])
 
 const struct um_effect um_effects_earth_reflection_level = {
     UM_EFFECT_ABI,
@@ -33,7 +26,6 @@ const struct um_effect um_effects_earth_reflection_level = {
                     "changes at once with the ground below while their temperature stays; "
                     "earth_brightness is the same thing in one band",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = environment},
 };

@@ -3,14 +3,8 @@
  * the Earth leaves every surface as if that were rough: the diffuse part alone in the visible, 1 -
  * eps times the view factor in the infrared. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->earthlight_lobe_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->earthlight_lobe_on = false)
 
 const struct um_effect um_effects_earthlight_lobe = {
     UM_EFFECT_ABI,

@@ -1,14 +1,8 @@
 /* Earthshine: L_o = rho_d(lambda) E_albedo(lambda) / pi. It lights the satellite in its own umbra
  * as long as it sees a sunlit Earth. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->earthshine_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->earthshine_on = false)
 
 const struct um_effect um_effects_earthshine = {
     UM_EFFECT_ABI,

@@ -27,13 +27,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "clouds, ice and oceans: 0.1 to 0.8 about 0.3"},
 };
 
-static enum um_status environment(struct um_context *context, const struct um_effect_use *use,
-                                  struct um_environment *to)
-{
-  (void)context;
-  to->earthshine_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(environment, environment->earthshine_factor *= use->value[0])
 
 const struct um_effect um_effects_earthshine_level = {
     UM_EFFECT_ABI,
@@ -44,7 +38,6 @@ const struct um_effect um_effects_earthshine_level = {
     .separated_by = "background and diffuse_level: visible light of a satellite in shadow over the "
                     "lit Earth; it follows the height of the Sun over the ground below",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = environment},
 };

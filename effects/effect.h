@@ -68,19 +68,6 @@ struct um_effect_parameter {
   enum um_effect_change change; /* how it changes what is stated */
 };
 
-/* How many prior widths a value stands from its null value; 0 without a prior. Its derivative with
- * respect to the value is the second. */
-static inline double um_effect_prior_deviation(const struct um_effect_parameter *p, double value)
-{
-  if (isinf(p->prior_sigma)) return 0.0;
-  return (p->logarithmic ? log(value / p->null_value) : value - p->null_value) / p->prior_sigma;
-}
-static inline double um_effect_prior_slope(const struct um_effect_parameter *p, double value)
-{
-  if (isinf(p->prior_sigma)) return 0.0;
-  return 1.0 / (p->logarithmic ? value * p->prior_sigma : p->prior_sigma);
-}
-
 /* Parameters are fitted, and their priors stand, in the unit of their prior: the logarithm of a
  * logarithmic one, else the value itself. */
 static inline double um_effect_transformed(const struct um_effect_parameter *parameter,
@@ -236,6 +223,10 @@ struct um_effect_hooks {
 #define UM_EFFECT_ABI                                                                              \
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \
   .layout = UM_EFFECT_LAYOUT
+
+/* The members that say its parameters, of an array. */
+#define UM_EFFECT_PARAMETERS(array)                                                                \
+  .parameters = (array), .nparameter = sizeof(array) / sizeof((array)[0])
 
 /* Most parameters one effect may have. */
 #define UM_EFFECT_PARAMETERS_MAX 8

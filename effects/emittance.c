@@ -4,15 +4,7 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            const char *material, double t_tai,
-                            struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, material)) adjustment->emittance_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(scale, adjustment->emittance_scale *= use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -47,7 +39,6 @@ const struct um_effect um_effects_emittance = {
         "heat_capacity, solar_absorptance and internal_power: a temperature followed from sunlight "
         "to the end of an eclipse, or two thermal-infrared bands, whose ratio is a temperature",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = scale},
 };

@@ -6,14 +6,8 @@
  * more. The Earth's radiation is absorbed with the emittance at the Earth's own temperature,
  * (OLR / sigma)^(1/4), in place of the surface's. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->emittance_by_temperature = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->emittance_by_temperature = false)
 
 const struct um_effect um_effects_emittance_temperature = {
     UM_EFFECT_ABI,

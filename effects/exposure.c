@@ -39,7 +39,6 @@ const struct um_effect um_effects_exposure = {
     .separated_by = "roughness: glints of the same satellite in two exposure times; smear loses "
                     "height in the longer one, a rough surface in both",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.exposure = exposure},
 };

@@ -36,7 +36,6 @@ const struct um_effect um_effects_extinction = {
     .separated_by = "zero_point: one pass over a range of airmasses of 2 or more, or standard "
                     "stars at two airmasses in the same night",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

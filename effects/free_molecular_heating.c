@@ -8,17 +8,10 @@
  * 200 km, 0.76 at 400 km, 0.003 at 765 km. Off unless a scenario asks for it: rho is known to a
  * factor of 3 at 400 km, and above 500 km it is less than what any other load is known to. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
 #define ACCOMMODATION 0.9 /* 0.8 to 1 for engineering surfaces in atomic oxygen */
 
-static enum um_status add(struct um_context *context, const struct um_effect_use *use,
-                          struct um_environment *environment)
-{
-  (void)context;
-  environment->gas_density_factor += ACCOMMODATION * use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(add, environment->gas_density_factor += ACCOMMODATION * use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "density_factor",
@@ -43,7 +36,6 @@ const struct um_effect um_effects_free_molecular_heating = {
     .separated_by = "earth_ir_level and internal_power: it comes from ahead, day and night, and is "
                     "gone on what looks backward",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = add},
 };

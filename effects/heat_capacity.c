@@ -74,7 +74,6 @@ const struct um_effect um_effects_heat_capacity = {
     .separated_by = "emittance: the slope of a temperature at shadow entry and its lag behind the "
                     "spin go with 1/C, the value late in the eclipse does not",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = scale_group, .part = scale_part},
 };

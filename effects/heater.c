@@ -82,7 +82,6 @@ const struct um_effect um_effects_heater = {
                     "whatever the heat load, and the light does not change while it is warmer; a "
                     "saw-tooth of minutes where sampling is dense",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 3,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = add_heater},
 };

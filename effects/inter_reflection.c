@@ -10,19 +10,9 @@ static bool is_off(const struct um_environment *environment)
   return !environment->inter_reflection_on;
 }
 
-static enum um_status switch_on(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->inter_reflection_on = true;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_on, environment->inter_reflection_on = true)
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->inter_reflection_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->inter_reflection_on = false)
 
 const struct um_effect um_effects_inter_reflection = {
     UM_EFFECT_ABI,

@@ -54,7 +54,6 @@ const struct um_effect um_effects_interior_capacity = {
     .separated_by = "heat_capacity: what is inside follows the walls late, what is in the walls "
                     "does not; a temperature within the first minutes of an eclipse, or of both",
     .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = add_capacity},
 };

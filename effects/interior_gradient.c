@@ -60,7 +60,6 @@ const struct um_effect um_effects_interior_gradient = {
     .separated_by = "interior_capacity: the walls move on two time scales, a temperature of them "
                     "through several eclipses of different length",
     .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
-    .parameters = parameters,
-    .nparameter = 2,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = split},
 };

@@ -73,7 +73,6 @@ const struct um_effect um_effects_internal_power = {
     .separated_by = "mli_emittance and emittance: temperatures or thermal infrared late in a long "
                     "eclipse, of a radiator beside a side behind MLI; the visible does not change",
     .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = add_power},
 };

@@ -2,15 +2,8 @@
  * The part is environment.earth.local; unless stated, it is what is below from the start on, as
  * against the orbits before. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment *environment)
-{
-  (void)context;
-  environment->region.albedo_factor *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(scale, environment->region.albedo_factor *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "local_albedo_factor",
@@ -36,7 +29,6 @@ const struct um_effect um_effects_local_albedo = {
         "albedo_level, which acts in the orbits before too: temperatures of what stores "
         "heat, or light from before and after the place is passed",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

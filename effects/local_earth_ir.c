@@ -2,16 +2,9 @@
  * cloud under the orbit. The part is environment.earth.local; unless stated, it is what is below
  * from the start on, as against the orbits before. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status change(struct um_context *context, const struct um_effect_use *use,
-                             struct um_environment *environment)
-{
-  (void)context;
-  environment->region.longwave_factor *= use->value[0];
-  environment->region.brightness_shift += use->value[1];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(change, environment->region.longwave_factor *= use->value[0];
+                         environment->region.brightness_shift += use->value[1])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "local_olr_factor",
@@ -46,7 +39,6 @@ const struct um_effect um_effects_local_earth_ir = {
                     "temperatures of what stores heat, or light from before and after the place is "
                     "passed",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 2,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = change},
 };

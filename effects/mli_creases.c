@@ -72,7 +72,6 @@ const struct um_effect um_effects_mli_creases = {
     .separated_by = "roughness: glints of single patches, which come again at each turn of the "
                     "satellite; the mean light alone cannot tell",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.creases = crease},
 };

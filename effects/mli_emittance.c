@@ -55,7 +55,6 @@ const struct um_effect um_effects_mli_emittance = {
         "internal_power and emittance: in the umbra, blankets that face space warm more than those "
         "that face the Earth, and the temperature inside falls while theirs rises",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = scale, .part = um_effects_mli_check},
 };

@@ -41,7 +41,6 @@ const struct um_effect um_effects_mli_seams = {
     .separated_by = "mli_emittance: radiation through the blanket goes with T^3, conduction past "
                     "it does not; a blanket that is seen sunlit and in the umbra tells them apart",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = add, .part = um_effects_mli_check},
 };

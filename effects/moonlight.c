@@ -2,14 +2,8 @@
  * (environment/moonlight.c), reflected once, through lobes and diffuse parts. In the umbra of a low
  * orbit nothing else lights a satellite in VIS. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->moonlight_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->moonlight_on = false)
 
 const struct um_effect um_effects_moonlight = {
     UM_EFFECT_ABI,

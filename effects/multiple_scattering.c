@@ -3,14 +3,8 @@
  * (materials/passed_on.c); to all sides of other lobes (materials/spectrum.c). Without it that
  * light is lost: to 13 % of a surface of alpha 0.5. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->multiple_scattering_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->multiple_scattering_on = false)
 
 const struct um_effect um_effects_multiple_scattering = {
     UM_EFFECT_ABI,

@@ -2,14 +2,8 @@
  * of the Earth and of all J (thermal/exchange/exchange.h). Without it, what is emitted toward the
  * satellite itself is taken to come back to where it left (model/build/build_blocked.c). */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->mutual_radiation_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->mutual_radiation_on = false)
 
 const struct um_effect um_effects_mutual_radiation = {
     UM_EFFECT_ABI,

@@ -37,7 +37,6 @@ const struct um_effect um_effects_nonlinearity = {
     .separated_by = "specular_level and roughness: a glint in two exposure times; the shorter one "
                     "fills the pixels less",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

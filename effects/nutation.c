@@ -3,7 +3,6 @@
  * the law's inertia_ratio. */
 #include "base/core/constants.h"
 #include "effects/list_impl.h"
-#include "orbit/attitude.h"
 
 #define TIP(NAME, HELP)                                                                            \
   {                                                                                                \
@@ -36,7 +35,6 @@ const struct um_effect um_effects_nutation = {
     .separated_by = "attitude_offset and spin_period: glints that come at two periods, of turn and "
                     "of nutation, over many turns",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.law = law},
 };

@@ -30,9 +30,7 @@ void um_effects_registry_destroy(struct um_context *context, struct um_effects_r
   if (registry == NULL || *registry == NULL) return;
   struct um_effects_registry *r = *registry;
   for (size_t i = r->nobject; i-- > 0;) dlclose(r->object[i]);
-  um_core_free(context, r->object);
-  um_core_free(context, r->own);
-  um_core_free(context, r);
+  UM_FREE(context, r->object, r->own, r);
   *registry = NULL;
 }
 

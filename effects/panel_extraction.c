@@ -132,8 +132,7 @@ const struct um_effect um_effects_panel_extraction = {
     .separated_by = "solar_absorptance: visible light of the panel stays when electricity is drawn "
                     "and changes with the absorptance",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = extract, .part = check},
     .refusal = refusal,
 };

@@ -47,7 +47,6 @@ const struct um_effect um_effects_path_radiance = {
     .separated_by = "background and extinction: frames beside the satellite at several airmasses; "
                     "what is added does not grow with the satellite's light",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

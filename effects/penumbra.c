@@ -3,12 +3,7 @@
 #include "effects/list_impl.h"
 #include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->disc = UM_DISC_POINT;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->disc = UM_DISC_POINT)
 
 static bool is_off(const struct um_environment *environment)
 {
@@ -22,13 +17,7 @@ static enum um_status switch_on(struct um_context *context, struct um_environmen
   return UM_OK;
 }
 
-static enum um_status darken(struct um_context *context, const struct um_effect_use *use,
-                             struct um_environment *environment)
-{
-  (void)context;
-  environment->limb_darkening *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(darken, environment->limb_darkening *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "limb_darkening",
@@ -55,8 +44,7 @@ const struct um_effect um_effects_penumbra = {
                     "edge of the shadow shows whether it fades or is cut off",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = darken},
     .switch_off = switch_off,
     .is_off = is_off,

@@ -1,14 +1,8 @@
 /* Reflected Earth radiation: L_o = (1 - epsilon_lambda(theta_o)) F B_lambda(T_Earth). For bare
  * metal it is an order of magnitude above the metal's own emission. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->earth_reflection_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->earth_reflection_on = false)
 
 const struct um_effect um_effects_reflected_earth_ir = {
     UM_EFFECT_ABI,

@@ -25,15 +25,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "formulas from a measured roughness differ by factors of 0.5 to 1.8"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->roughness_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->roughness_scale *= use->value[0])
 
 const struct um_effect um_effects_roughness = {
     UM_EFFECT_ABI,
@@ -45,7 +37,6 @@ const struct um_effect um_effects_roughness = {
     .separated_by = "specular_level and exposure: the profile of a glint in exposures shorter than "
                     "a tenth of it; roughness keeps its area and trades height for width",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -50,7 +50,6 @@ const struct um_effect um_effects_shadow_radius = {
     .separated_by = "time_tag and along_track: both edges of one eclipse; a larger shadow moves "
                     "entry and exit apart, a clock or the orbit moves both the same way",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = shift},
 };

@@ -3,14 +3,8 @@
  * of the light is gone some 10 s before the Sun's centre stands on the bare Earth's limb, and red
  * light reaches into the umbra. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->shadow_refraction_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->shadow_refraction_on = false)
 
 const struct um_effect um_effects_shadow_refraction = {
     UM_EFFECT_ABI,

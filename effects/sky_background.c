@@ -40,7 +40,6 @@ const struct um_effect um_effects_sky_background = {
     .separated_by = "background and path_radiance: frames beside the satellite along its path, or "
                     "in the satellite's eclipse, where little else is left in the visible",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

@@ -7,15 +7,7 @@
 #include "effects/list_impl.h"
 #include "materials/materials.h"
 
-static enum um_status shift(struct um_context *context, const struct um_effect_use *use,
-                            const char *material, double t_tai,
-                            struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, material)) adjustment->absorptance_shift += use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(shift, adjustment->absorptance_shift += use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -48,7 +40,6 @@ const struct um_effect um_effects_solar_absorptance = {
     .separated_by = "panel_extraction and emittance: visible light beside a temperature; ageing "
                     "darkens what it warms, and the end of an eclipse does not know of it",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = shift},
 };

@@ -1,15 +1,8 @@
 /* Level of sunlight: S' = f S at 1 au, in heat loads, reflected sunlight and earthshine. The
  * distance of the Sun is already in S/d^2. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment *environment)
-{
-  (void)context;
-  environment->solar_irradiance *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_ENVIRONMENT(scale, environment->solar_irradiance *= use->value[0])
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -41,7 +34,6 @@ const struct um_effect um_effects_solar_irradiance = {
                     "beside visible light of the same factor; the irradiance itself is measured "
                     "from satellites to 0.1 %",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.environment = scale},
 };

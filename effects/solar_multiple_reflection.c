@@ -2,14 +2,8 @@
  * H = E + F rho H with rho = 1 - alpha (thermal/exchange/exchange.h). Its optical twin is
  * inter_reflection. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->solar_reflection_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->solar_reflection_on = false)
 
 const struct um_effect um_effects_solar_multiple_reflection = {
     UM_EFFECT_ABI,

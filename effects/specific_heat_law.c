@@ -65,7 +65,6 @@ const struct um_effect um_effects_specific_heat_law = {
     .separated_by = "heat_capacity: the same factor warm and cold; the slopes of a temperature "
                     "after sunrise and late in the eclipse tell them apart",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = add_group, .part = add_part},
 };

@@ -2,14 +2,8 @@
  * surfaces, S' in place of S (geometry/mirror_paths.h, thermal/exchange/exchange.h), sunlight and
  * the Earth's light too. Without it they scatter all that they reflect. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status switch_off(struct um_context *context, struct um_environment *environment)
-{
-  (void)context;
-  environment->specular_exchange_on = false;
-  return UM_OK;
-}
+UM_EFFECT_SWITCH(switch_off, environment->specular_exchange_on = false)
 
 const struct um_effect um_effects_specular_exchange = {
     UM_EFFECT_ABI,

@@ -26,15 +26,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "20 % of a reflectance measured at one angle"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->specular_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->specular_scale *= use->value[0])
 
 const struct um_effect um_effects_specular_level = {
     UM_EFFECT_ABI,
@@ -46,7 +38,6 @@ const struct um_effect um_effects_specular_level = {
     .separated_by = "zero_point and roughness: height and area of a glint change together and the "
                     "light between glints stays",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -2,7 +2,6 @@
  * the error of the phase grows like -2 pi r (t - t_0) / P. Free motion is slower as a whole by the
  * same factor when its rates are. */
 #include "effects/list_impl.h"
-#include "orbit/attitude.h"
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -45,7 +44,6 @@ const struct um_effect um_effects_spin_period = {
     .separated_by =
         "time_tag and attitude_offset: many revolutions; its lag grows with time, theirs stays",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.law = law},
 };

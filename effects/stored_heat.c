@@ -41,7 +41,6 @@ const struct um_effect um_effects_stored_heat = {
     .separated_by = "internal_power: repeat passes several time constants of the inside apart; "
                     "stored heat drifts away, power does not",
     .targets = UM_TARGET_PART | UM_TARGET_INTERIOR,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = shift},
 };

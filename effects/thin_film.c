@@ -2,7 +2,6 @@
  * a factor. What interferes changes its colour, what absorbs changes both absorptance and
  * emittance, all from the same optical constants. */
 #include "effects/list_impl.h"
-#include "materials/materials.h"
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "thickness_factor",
@@ -16,15 +15,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "sheet is sold in steps of a factor of 2, coatings vary by 5 to 30 % over a surface"},
 };
 
-static enum um_status material(struct um_context *context, const struct um_effect_use *use,
-                               const char *name, double t_tai,
-                               struct um_materials_adjustment *adjustment)
-{
-  (void)context;
-  (void)t_tai;
-  if (um_effect_acts_on(use, name)) adjustment->thickness_scale *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_MATERIAL(material, adjustment->thickness_scale *= use->value[0])
 
 const struct um_effect um_effects_thin_film = {
     UM_EFFECT_ABI,
@@ -38,7 +29,6 @@ const struct um_effect um_effects_thin_film = {
                     "absorbs unlike, or a temperature beside the light; it moves all of them by "
                     "one number",
     .targets = UM_TARGET_MATERIAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.material = material},
 };

@@ -70,7 +70,6 @@ const struct um_effect um_effects_through_conductance = {
     .separated_by = "heat_capacity: temperatures of front and back at once, or passes that show "
                     "front and back at equal phase, in sunlight and in steady darkness",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.group = scale, .part = check},
 };

@@ -29,7 +29,6 @@ const struct um_effect um_effects_time_tag = {
         "along_track: stars in the same frames, or the edges of an eclipse beside glints; a clock "
         "moves everything alike, an orbit does not move attitude and stars",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.time = true_time},
 };

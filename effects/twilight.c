@@ -41,7 +41,6 @@ const struct um_effect um_effects_twilight = {
     .separated_by = "background and sky_background: frames over an hour of twilight, in which it "
                     "fades by a factor of 3 for every degree that the Sun goes down",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

@@ -1,15 +1,8 @@
 /* Water vapour above the station: w' = f w. In 8-12 um it decides what arrives; in the visible it
  * takes 1 %. */
 #include "effects/list_impl.h"
-#include "environment/environment.h"
 
-static enum um_status scale(struct um_context *context, const struct um_effect_use *use,
-                            struct um_environment_clear_sky *sky)
-{
-  (void)context;
-  sky->water *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_SKY(scale, sky->water *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
     {.name = "water_factor",
@@ -33,7 +26,6 @@ const struct um_effect um_effects_water_vapour = {
     .separated_by = "zero_point and extinction of an infrared band, emittance: a range of "
                     "airmasses, since it grows less than they do; a radiosonde or GPS receiver",
     .targets = UM_TARGET_GLOBAL,
-    .parameters = parameters,
-    .nparameter = 1,
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.sky = scale},
 };

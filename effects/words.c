@@ -32,5 +32,3 @@ enum um_status um_effects_refuse_parameter(struct um_context *context,
   return um_core_fail(context, UM_ERR_INPUT, "effect '%s' has no parameter '%.60s'%s; accepted: %s",
                       effect->name, name, um_core_words_hint(&guess, hint), names);
 }
-
-void um_effects_names(char *out, size_t size) { um_effects_registry_names(NULL, out, size); }

@@ -14,13 +14,7 @@ static const struct um_effect_parameter parameters[] = {
      .prior = "throughput of a new setup, known to a factor of 2"},
 };
 
-static enum um_status observation(struct um_context *context, const struct um_effect_use *use,
-                                  struct um_effect_observation *o)
-{
-  (void)context;
-  if (um_effect_acts_on(use, o->band)) o->value *= use->value[0];
-  return UM_OK;
-}
+UM_EFFECT_ON_OBSERVATION(observation, o->value *= use->value[0])
 
 const struct um_effect um_effects_zero_point = {
     UM_EFFECT_ABI,
@@ -33,7 +27,6 @@ const struct um_effect um_effects_zero_point = {
     .separated_by = "area, diffuse_level and extinction: standard stars in the same night, or a "
                     "second band of the same part that the factor does not touch",
     .targets = UM_TARGET_GLOBAL | UM_TARGET_BAND,
-    .parameters = parameters,
-    .nparameter = sizeof parameters / sizeof parameters[0],
+    UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.observation = observation},
 };

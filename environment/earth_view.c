@@ -6,8 +6,6 @@
  * ground, psi that between both places at the geocentre. */
 #include "environment/earth_view_impl.h"
 
-#include "base/core/constants.h"
-
 struct um_environment_earth_view um_environment_earth_view(const struct um_environment *environment,
                                                            struct um_vec3 r, struct um_vec3 sun)
 {

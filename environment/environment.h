@@ -78,6 +78,10 @@ double um_environment_solar_irradiance(const struct um_environment *environment,
 /* Solar spectral irradiance at 1 au [W/m^2/m] at a wavelength [m], the spectrum scaled so that its
  * integral is solar_irradiance; and its exact integral over a band [W/m^2]. */
 double um_environment_solar_spectrum(const struct um_environment *environment, double wavelength);
+/* A library of materials under the Sun of um_environment_defaults, with the program's own records
+ * or empty; the caller destroys. Errors of um_materials_library_read_folder. */
+enum um_status um_environment_library_create(struct um_context *context, bool records,
+                                             struct um_materials_library **out);
 double um_environment_solar_band(const struct um_environment *environment, double from, double to);
 
 /* The same Sun for materials: shares of its energy in bands of equal width in log wavelength,

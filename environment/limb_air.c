@@ -18,7 +18,6 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "base/core/constants.h"
 #include "environment/standard_air.h"
 
 #define REFRACTIVITY  2.92e-4   /* n - 1 of air on the ground, 0.55 um, 0 deg C: PHYSICS B.4 */

@@ -53,9 +53,7 @@ done:
 void um_environment_map_destroy(struct um_context *context, struct um_environment_map **map)
 {
   if (map == NULL || *map == NULL) return;
-  um_core_free(context, (*map)->latitude);
-  um_core_free(context, (*map)->longitude);
-  um_core_free(context, (*map)->month);
+  UM_FREE(context, (*map)->latitude, (*map)->longitude, (*map)->month);
   for (int q = 0; q < UM_MAP_QUANTITIES; q++) um_core_free(context, (*map)->value[q]);
   um_core_free(context, *map);
   *map = NULL;

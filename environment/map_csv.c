@@ -164,8 +164,7 @@ done:
   um_environment_map_destroy(context, &map);
   um_core_free(context, taken);
   for (int a = 0; a < AXES; a++) {
-    um_core_free(context, t.row[a]);
-    um_core_free(context, t.node[a]);
+    UM_FREE(context, t.row[a], t.node[a]);
   }
   um_core_csv_destroy(&csv);
   return status;

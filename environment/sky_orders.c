@@ -336,7 +336,6 @@ enum um_status um_environment_sky_orders(struct um_context *context,
 #pragma omp parallel for schedule(dynamic) num_threads(um_core_context_threads(context))
   for (int k = 0; k < n; k++) add_up_at(environment, lines, out->first + (size_t)k, &work[k], out);
 done:
-  um_core_free(context, lines);
-  um_core_free(context, work);
+  UM_FREE(context, lines, work);
   return status;
 }

@@ -23,11 +23,8 @@ void um_environment_sky_table_destroy(struct um_context *context,
                                       struct um_environment_sky_table **table)
 {
   if (table == NULL || *table == NULL) return;
-  um_core_free(context, (*table)->airmass);
-  um_core_free(context, (*table)->wavelength);
-  um_core_free(context, (*table)->transmission);
-  um_core_free(context, (*table)->radiance);
-  um_core_free(context, *table);
+  UM_FREE(context, (*table)->airmass, (*table)->wavelength, (*table)->transmission,
+          (*table)->radiance, *table);
   *table = NULL;
 }
 

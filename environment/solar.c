@@ -63,3 +63,20 @@ void um_environment_sun_shares(const struct um_environment *environment,
   for (size_t i = 0; i < UM_MATERIALS_SUN; i++) out->share[i] /= total;
   out->measured = environment->spectrum == UM_SPECTRUM_E490;
 }
+
+enum um_status um_environment_library_create(struct um_context *context, bool records,
+                                             struct um_materials_library **out)
+{
+  struct um_environment environment;
+  struct um_materials_sun sun;
+  char *folder = NULL;
+  um_environment_defaults(&environment);
+  um_environment_sun_shares(&environment, &sun);
+  UM_TRY(um_materials_library_create(context, &sun, out));
+  if (!records) return UM_OK;
+  enum um_status status = um_materials_library_folder(context, &folder);
+  if (status == UM_OK) status = um_materials_library_read_folder(context, *out, folder);
+  if (status != UM_OK) um_materials_library_destroy(out);
+  um_core_free(context, folder);
+  return status;
+}

@@ -5,8 +5,6 @@
 
 #include "base/core/constants.h"
 #include "forecast/forecast_impl.h"
-#include "model/run/run.h"
-#include "orbit/time.h"
 
 /* Means of a pass are asked to 0.1 K, its light to 1e-3 of its brightest. Tolerances for 0.2 K with
  * sparse loads leave 0.06 K of ENVISAT's 21 passes, 7e-4 in LWIR and 5e-4 in VIS. A part that turns

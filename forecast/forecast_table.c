@@ -7,27 +7,11 @@
 #include "forecast/forecast_write.h"
 #include "orbit/time.h"
 
-static void put_number(FILE *file, double value)
-{
-  char text[32] = "";
-  if (isfinite(value)) um_core_number_text(value, text);
-  fprintf(file, ",%s", text);
-}
-
 static void put_time(FILE *file, double t)
 {
   char text[32] = "";
   if (isfinite(t)) um_orbit_time_format(t, text);
   fprintf(file, ",%s", text);
-}
-
-/* ",NAME" and what is behind it, in quotes where the name needs it. */
-static void put_column(FILE *file, const char *name, const char *behind)
-{
-  char text[512];
-  snprintf(text, sizeof text, "%s%s", name, behind);
-  fputc(',', file);
-  um_core_csv_put(file, text, "");
 }
 
 static void head(const struct um_forecast *f, FILE *file)
@@ -44,10 +28,11 @@ static void head(const struct um_forecast *f, FILE *file)
         "orbit_error_s",
         file);
   for (size_t b = 0; b < f->nband; b++)
-    for (size_t i = 0; i < 8; i++) put_column(file, f->band[b], of_band[!isnan(f->vega_ab[b])][i]);
+    for (size_t i = 0; i < 8; i++)
+      um_core_csv_put_text(file, f->band[b], of_band[!isnan(f->vega_ab[b])][i]);
   for (size_t p = 0; p < f->nplace; p++)
     for (size_t i = 0; i < sizeof of_place / sizeof *of_place; i++)
-      put_column(file, f->place[p], of_place[i]);
+      um_core_csv_put_text(file, f->place[p], of_place[i]);
   fputs(",reason\n", file);
 }
 
@@ -55,17 +40,17 @@ static void geometry(const struct um_forecast_pass *pass, FILE *file)
 {
   const struct um_orbit_pass *p = &pass->pass;
   put_time(file, p->rise);
-  put_number(file, p->rise_azimuth / UM_DEG);
+  um_core_csv_put_exact(file, p->rise_azimuth / UM_DEG);
   put_time(file, p->culmination);
-  put_number(file, p->culmination_azimuth / UM_DEG);
-  put_number(file, p->culmination_elevation / UM_DEG);
-  put_number(file, p->culmination_range * 1e-3);
+  um_core_csv_put_exact(file, p->culmination_azimuth / UM_DEG);
+  um_core_csv_put_exact(file, p->culmination_elevation / UM_DEG);
+  um_core_csv_put_exact(file, p->culmination_range * 1e-3);
   put_time(file, p->set);
-  put_number(file, p->set_azimuth / UM_DEG);
+  um_core_csv_put_exact(file, p->set_azimuth / UM_DEG);
   put_time(file, pass->entry);
   put_time(file, pass->exit);
   fprintf(file, ",%d,%d", pass->sunlit_at_rise, pass->sunlit_at_set);
-  put_number(file, pass->sun_elevation / UM_DEG);
+  um_core_csv_put_exact(file, pass->sun_elevation / UM_DEG);
   fprintf(file, ",%s", um_forecast_sky(pass->sun_elevation));
 }
 
@@ -77,25 +62,24 @@ void um_forecast_csv(const struct um_forecast *f, FILE *file)
     fprintf(file, "%zu,", i + 1);
     um_core_csv_put(file, f->station[pass->station].name, "");
     geometry(pass, file);
-    put_number(file, pass->delay);
+    um_core_csv_put_exact(file, pass->delay);
     for (size_t b = 0; b < f->nband; b++) {
       const struct um_forecast_band *band = &pass->band[b];
-      put_number(file, band->brightest);
+      um_core_csv_put_exact(file, band->brightest);
       put_time(file, band->brightest_at);
-      put_number(file, band->culmination);
-      put_number(file, band->error);
-      put_number(file, band->largest);
+      um_core_csv_put_exact(file, band->culmination);
+      um_core_csv_put_exact(file, band->error);
+      um_core_csv_put_exact(file, band->largest);
       put_time(file, band->largest_at);
-      put_number(file, band->irradiance_culmination);
-      put_number(file, band->intensity);
+      um_core_csv_put_exact(file, band->irradiance_culmination);
+      um_core_csv_put_exact(file, band->intensity);
     }
     for (size_t p = 0; p < f->nplace; p++) {
-      put_number(file, pass->place[p].mean);
-      put_number(file, pass->place[p].lowest);
-      put_number(file, pass->place[p].highest);
+      um_core_csv_put_exact(file, pass->place[p].mean);
+      um_core_csv_put_exact(file, pass->place[p].lowest);
+      um_core_csv_put_exact(file, pass->place[p].highest);
     }
-    fputc(',', file);
-    um_core_csv_put(file, pass->reason == NULL ? "" : pass->reason, "");
+    um_core_csv_put_text(file, pass->reason == NULL ? "" : pass->reason, "");
     fputc('\n', file);
   }
 }
@@ -105,8 +89,8 @@ void um_forecast_curves(const struct um_forecast *f, FILE *file)
   const size_t n = UM_FORECAST_CURVE;
   fputs("pass,station,time_utc", file);
   for (size_t b = 0; b < f->nband; b++) {
-    put_column(file, f->band[b], isnan(f->vega_ab[b]) ? "_mag_ab" : "_mag_vega");
-    put_column(file, f->band[b], "_W_m2");
+    um_core_csv_put_text(file, f->band[b], isnan(f->vega_ab[b]) ? "_mag_ab" : "_mag_vega");
+    um_core_csv_put_text(file, f->band[b], "_W_m2");
   }
   fputc('\n', file);
   for (size_t i = 0; i < f->npass; i++)
@@ -118,8 +102,8 @@ void um_forecast_curves(const struct um_forecast *f, FILE *file)
       um_core_csv_put(file, f->station[pass->station].name, "");
       put_time(file, pass->curve_at[k]);
       for (size_t b = 0; b < f->nband; b++) {
-        put_number(file, pass->curve[2 * b * n + k]);
-        put_number(file, pass->curve[(2 * b + 1) * n + k]);
+        um_core_csv_put_exact(file, pass->curve[2 * b * n + k]);
+        um_core_csv_put_exact(file, pass->curve[(2 * b + 1) * n + k]);
       }
       fputc('\n', file);
     }

@@ -34,8 +34,7 @@ static enum um_status number_pieces(struct um_context *context, const struct um_
     piece_of[f - part->facet_begin] = number[of];
   }
 done:
-  um_core_free(context, root);
-  um_core_free(context, number);
+  UM_FREE(context, root, number);
   return status;
 }
 
@@ -66,7 +65,6 @@ enum um_status um_geometry_bodies(struct um_context *context, const struct um_ge
   for (size_t i = 0; i < npiece; i++)
     if (piece[i].volume > 0.0) (*area)[(*n)++] = piece[i].area;
 done:
-  um_core_free(context, piece_of);
-  um_core_free(context, piece);
+  UM_FREE(context, piece_of, piece);
   return status;
 }

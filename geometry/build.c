@@ -3,9 +3,7 @@
 #include <string.h>
 
 #include "geometry/geometry_impl.h"
-#include "geometry/obj_impl.h"
-#include "geometry/primitives_impl.h"
-#include "geometry/refine_impl.h"
+#include "geometry/patch_impl.h"
 #include "geometry/report_impl.h"
 #include "geometry/skin_impl.h"
 

@@ -211,8 +211,7 @@ enum um_status um_geometry_coincidences_create(struct um_context *context,
 done:
   um_geometry_facet_tree_destroy(context, &tree);
   um_geometry_pose_destroy(context, &s.pose);
-  um_core_free(context, s.rigid);
-  um_core_free(context, s.found);
+  UM_FREE(context, s.rigid, s.found);
   um_geometry_coincidences_destroy(context, &own);
   return status;
 }
@@ -221,7 +220,6 @@ void um_geometry_coincidences_destroy(struct um_context *context,
                                       struct um_geometry_coincidences **coincidences)
 {
   if (coincidences == NULL || *coincidences == NULL) return;
-  um_core_free(context, (*coincidences)->pair);
-  um_core_free(context, *coincidences);
+  UM_FREE(context, (*coincidences)->pair, *coincidences);
   *coincidences = NULL;
 }

@@ -190,10 +190,7 @@ done:
 void um_geometry_creases_destroy(struct um_context *context, struct um_geometry_creases **creases)
 {
   if (creases == NULL || *creases == NULL) return;
-  um_core_free(context, (*creases)->first);
-  um_core_free(context, (*creases)->along);
-  um_core_free(context, (*creases)->across);
-  um_core_free(context, (*creases)->share);
-  um_core_free(context, *creases);
+  UM_FREE(context, (*creases)->first, (*creases)->along, (*creases)->across, (*creases)->share,
+          *creases);
   *creases = NULL;
 }

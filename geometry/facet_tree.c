@@ -115,10 +115,7 @@ void um_geometry_facet_tree_destroy(struct um_context *context,
                                     struct um_geometry_facet_tree **tree)
 {
   if (tree == NULL || *tree == NULL) return;
-  um_core_free(context, (*tree)->box);
-  um_core_free(context, (*tree)->place);
-  um_core_free(context, (*tree)->of_facet);
-  um_core_free(context, *tree);
+  UM_FREE(context, (*tree)->box, (*tree)->place, (*tree)->of_facet, *tree);
   *tree = NULL;
 }
 

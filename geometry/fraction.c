@@ -10,8 +10,8 @@
  * A single point tells nothing of its error: e = 1/2, the largest that a 0-1 variable can have. */
 #include <assert.h>
 
-#include "geometry/points_impl.h"
 #include "geometry/scatter.h"
+#include "geometry/visibility_data_impl.h"
 #include "geometry/visibility_impl.h"
 
 /* Rays traced at a time; on the stack. */

@@ -5,13 +5,8 @@
 
 void um_geometry_mesh_free(struct um_context *context, struct um_geometry_mesh *mesh)
 {
-  um_core_free(context, mesh->corner);
-  um_core_free(context, mesh->facet_part);
-  um_core_free(context, mesh->facet_group);
-  um_core_free(context, mesh->surface_of_front);
-  um_core_free(context, mesh->surface_of_back);
-  um_core_free(context, mesh->surface);
-  um_core_free(context, mesh->area);
+  UM_FREE(context, mesh->corner, mesh->facet_part, mesh->facet_group, mesh->surface_of_front,
+          mesh->surface_of_back, mesh->surface, mesh->area);
 }
 
 void um_geometry_destroy(struct um_geometry **geometry)
@@ -22,12 +17,7 @@ void um_geometry_destroy(struct um_geometry **geometry)
   for (size_t i = 0; i < g->npart; i++) um_core_free(context, g->part[i].name);
   for (size_t i = 0; i < g->ngroup; i++) um_core_free(context, (void *)(uintptr_t)g->group[i].name);
   for (size_t i = 0; i < g->nmaterial; i++) um_core_free(context, g->material[i]);
-  um_core_free(context, g->part);
-  um_core_free(context, g->order);
-  um_core_free(context, g->group);
-  um_core_free(context, g->material);
-  um_core_free(context, g->vertex);
-  um_core_free(context, g->normal);
+  UM_FREE(context, g->part, g->order, g->group, g->material, g->vertex, g->normal);
   um_geometry_mesh_free(context, &g->mesh);
   um_core_free(context, g);
   *geometry = NULL;

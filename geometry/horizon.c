@@ -4,7 +4,7 @@
  * Each test would cost all vertices. Three things make it cheap: facets of one plane share the
  * answer, boxes around runs of vertices, and around runs of such boxes, are skipped where they lie
  * behind the plane, and the vertex that closed the last surface is tried first. */
-#include "geometry/horizon_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 struct box {
   struct um_vec3 low, high; /* [m] */

@@ -235,9 +235,7 @@ enum um_status um_geometry_inside_write(struct um_context *context,
                                                   .pose = pose};
   um_geometry_view_factor_file_write(&set, file);
 done:
-  um_core_free(context, local);
-  um_core_free(context, patches.surface);
-  um_core_free(context, patches.begin);
+  UM_FREE(context, local, patches.surface, patches.begin);
   maker_free(&m);
   return status;
 }

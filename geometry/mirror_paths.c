@@ -8,13 +8,11 @@
  */
 #include "geometry/mirror_paths.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/core/sort.h"
 #include "geometry/cube.h"
 #include "geometry/view_factor_rays_impl.h"
-#include "geometry/view_factors_impl.h"
 
 #define BATCH  ((size_t)1 << 16) /* rays on their way at a time */
 #define BUNDLE 256               /* rays traced at a time */
@@ -267,12 +265,7 @@ enum um_status um_geometry_mirror_paths_create(
   paths = NULL;
 done:
   um_geometry_ray_counts_clear(context, &t.counts);
-  um_core_free(context, t.density);
-  um_core_free(context, t.each);
-  um_core_free(context, t.ray);
-  um_core_free(context, t.hit);
-  um_core_free(context, t.way);
-  um_core_free(context, t.end);
+  UM_FREE(context, t.density, t.each, t.ray, t.hit, t.way, t.end);
   um_geometry_mirror_paths_destroy(context, &paths);
   return status;
 }
@@ -282,10 +275,6 @@ void um_geometry_mirror_paths_destroy(struct um_context *context,
 {
   if (paths == NULL || *paths == NULL) return;
   um_geometry_mirror_sets_clear(context, &(*paths)->sets);
-  um_core_free(context, (*paths)->begin);
-  um_core_free(context, (*paths)->path);
-  um_core_free(context, (*paths)->sky_begin);
-  um_core_free(context, (*paths)->sky);
-  um_core_free(context, *paths);
+  UM_FREE(context, (*paths)->begin, (*paths)->path, (*paths)->sky_begin, (*paths)->sky, *paths);
   *paths = NULL;
 }

@@ -26,8 +26,7 @@ done:
 void um_geometry_mirrors_destroy(struct um_context *context, struct um_geometry_mirrors **mirrors)
 {
   if (mirrors == NULL || *mirrors == NULL) return;
-  um_core_free(context, (*mirrors)->of);
-  um_core_free(context, *mirrors);
+  UM_FREE(context, (*mirrors)->of, *mirrors);
   *mirrors = NULL;
 }
 
@@ -101,8 +100,7 @@ enum um_status um_geometry_mirror_sets_find(struct um_context *context,
 
 void um_geometry_mirror_sets_clear(struct um_context *context, struct um_geometry_mirror_sets *sets)
 {
-  um_core_free(context, sets->set);
-  um_core_free(context, sets->slot);
+  UM_FREE(context, sets->set, sets->slot);
   *sets = (struct um_geometry_mirror_sets){0};
 }
 

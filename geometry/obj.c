@@ -3,7 +3,7 @@
  *
  * Group of a face: the name of the last `g`; without one the last `usemtl`; without that the last
  * `o`; else "mesh". Names are the rest of their line. A backslash at the end joins two lines. */
-#include "geometry/obj_impl.h"
+#include "geometry/patch_impl.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -238,9 +238,7 @@ static enum um_status add_faces(struct reader *r)
     UM_CHECK(add_face(r, &r->faces[i], p, work, triangle));
   }
 done:
-  um_core_free(r->context, p);
-  um_core_free(r->context, work);
-  um_core_free(r->context, triangle);
+  UM_FREE(r->context, p, work, triangle);
   return status;
 }
 
@@ -266,8 +264,6 @@ enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char 
   }
   UM_CHECK(add_faces(&r));
 done:
-  um_core_free(r.context, text);
-  um_core_free(r.context, r.index);
-  um_core_free(r.context, r.faces);
+  UM_FREE(r.context, text, r.index, r.faces);
   return status;
 }

@@ -17,13 +17,9 @@ void um_geometry_patch_begin(struct um_geometry_patch *patch, struct um_context 
 void um_geometry_patch_end(struct um_geometry_patch *patch)
 {
   if (patch->context == NULL) return;
-  um_core_free(patch->context, patch->vertex);
-  um_core_free(patch->context, patch->corner);
-  um_core_free(patch->context, patch->group);
-  um_core_free(patch->context, patch->line);
+  UM_FREE(patch->context, patch->vertex, patch->corner, patch->group, patch->line);
   for (size_t i = 0; i < patch->ngroup; i++) um_core_free(patch->context, patch->group_name[i]);
-  um_core_free(patch->context, patch->group_name);
-  um_core_free(patch->context, patch->group_slot);
+  UM_FREE(patch->context, patch->group_name, patch->group_slot);
   memset(patch, 0, sizeof *patch);
 }
 
@@ -199,8 +195,7 @@ static enum um_status find_same(const struct um_geometry_patch *patch, uint32_t 
     grid.head[slot] = i;
   }
 done:
-  um_core_free(patch->context, grid.head);
-  um_core_free(patch->context, grid.next);
+  UM_FREE(patch->context, grid.head, grid.next);
   return status;
 }
 
@@ -250,8 +245,7 @@ enum um_status um_geometry_patch_weld(struct um_geometry_patch *patch)
     for (int k = 0; k < 3; k++) patch->corner[f][k] = number[patch->corner[f][k]];
   UM_CHECK(drop_empty_groups(patch));
 done:
-  um_core_free(patch->context, same);
-  um_core_free(patch->context, number);
+  UM_FREE(patch->context, same, number);
   return status;
 }
 

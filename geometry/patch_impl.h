@@ -1,4 +1,4 @@
-/* The mesh of one part while it is being made. Private to geometry/. */
+/* Patches of a part in the making, and who makes them. Private to geometry/. */
 #ifndef UMBRA_GEOMETRY_PATCH_IMPL_H
 #define UMBRA_GEOMETRY_PATCH_IMPL_H
 
@@ -51,5 +51,21 @@ uint32_t um_geometry_patch_group_find(const struct um_geometry_patch *patch, con
 enum um_status um_geometry_patch_weld(struct um_geometry_patch *patch);
 /* UM_ERR_INPUT naming the first degenerate facet and its line. */
 enum um_status um_geometry_patch_check(const struct um_geometry_patch *patch);
+
+/* Box, plate, sphere; hands the round ones on. Sizes have been checked. */
+enum um_status um_geometry_primitive_build(const struct um_geometry_part_spec *spec,
+                                           struct um_geometry_patch *patch);
+
+/* Disc, cylinder, cone, paraboloid. */
+enum um_status um_geometry_round_build(const struct um_geometry_part_spec *spec,
+                                       struct um_geometry_patch *patch);
+
+/* Reads an OBJ file; positions are multiplied by `scale`. */
+enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path,
+                                    double scale);
+
+/* Bisect longest edges until none is longer than facet_size [m]; conforming. */
+enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *part,
+                                  double facet_size);
 
 #endif

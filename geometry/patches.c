@@ -177,8 +177,7 @@ enum um_status um_geometry_patches_create(struct um_context *context,
   *out = patches;
   patches = NULL;
 done:
-  um_core_free(context, member);
-  um_core_free(context, run);
+  UM_FREE(context, member, run);
   um_geometry_patches_destroy(context, &patches);
   return status;
 }
@@ -186,10 +185,7 @@ done:
 void um_geometry_patches_destroy(struct um_context *context, struct um_geometry_patches **patches)
 {
   if (patches == NULL || *patches == NULL) return;
-  um_core_free(context, (*patches)->patch);
-  um_core_free(context, (*patches)->surface);
-  um_core_free(context, (*patches)->begin);
-  um_core_free(context, (*patches)->area);
-  um_core_free(context, *patches);
+  UM_FREE(context, (*patches)->patch, (*patches)->surface, (*patches)->begin, (*patches)->area,
+          *patches);
   *patches = NULL;
 }

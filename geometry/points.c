@@ -6,7 +6,7 @@
  * sqrt 2 and sqrt 3 modulo 1. The four steps are independent over the rationals, so that pairs of
  * both fill the four-dimensional cube evenly (Weyl 1916); two R2 sequences, equal but for a shift,
  * would fill no more than a plane of it. */
-#include "geometry/points_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 #include "base/core/sampling.h"
 

@@ -155,9 +155,7 @@ void um_geometry_surface_grain(const struct um_geometry *geometry, const struct 
 void um_geometry_pose_destroy(struct um_context *context, struct um_geometry_pose **pose)
 {
   if (pose == NULL || *pose == NULL) return;
-  um_core_free(context, (*pose)->vertex);
-  um_core_free(context, (*pose)->facet_normal);
-  um_core_free(context, *pose);
+  UM_FREE(context, (*pose)->vertex, (*pose)->facet_normal, *pose);
   *pose = NULL;
 }
 

@@ -4,11 +4,10 @@
  * Sphere: each face of an icosahedron in f^2 triangles, pushed out to the sphere (geodesic class I,
  * Kenner 1976), f >= 4; then scaled by sqrt(4 pi r^2 / A), A being the area of its facets, so that
  * emitting and absorbing area are exact. Its projected area is too small by O(h^2). */
-#include "geometry/primitives_impl.h"
+#include "geometry/patch_impl.h"
 
 #include "base/core/constants.h"
 #include "geometry/geometry_impl.h"
-#include "geometry/round_impl.h"
 #include "geometry/steps_impl.h"
 
 /* Grid of nu x nv cells from `corner` along u and v (full sides); front toward u x v. */

@@ -6,7 +6,7 @@
  * inside an edge; angles stay above half the smallest one of the start. Passes repeat until nothing
  * is marked. Lengths are taken from the lower vertex number to the higher, ties go by edge number:
  * all sharers see the same. */
-#include "geometry/refine_impl.h"
+#include "geometry/patch_impl.h"
 
 #include <string.h>
 
@@ -69,9 +69,7 @@ static enum um_status pass_create(const struct um_geometry_patch *patch, struct 
 static void pass_destroy(struct um_context *context, struct pass *pass)
 {
   um_geometry_edges_destroy(context, &pass->edges);
-  um_core_free(context, pass->length2);
-  um_core_free(context, pass->midpoint);
-  um_core_free(context, pass->marked);
+  UM_FREE(context, pass->length2, pass->midpoint, pass->marked);
 }
 
 static enum um_status add_midpoints(struct um_geometry_patch *patch, struct pass *pass)

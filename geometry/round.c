@@ -7,7 +7,7 @@
  * n k s (R + r) sqrt(h^2 + k^2 (R - r)^2 c^2), the round frustum pi (R + r) sqrt(h^2 + (R-r)^2).
  * The caps then exceed pi r^2 by less than 0.6 % (n = 24), O(n^-2). The dish z = r^2 / (4 f) is
  * left inscribed: its area is too small by O(n^-2). */
-#include "geometry/round_impl.h"
+#include "geometry/patch_impl.h"
 
 #include "base/core/constants.h"
 #include "geometry/steps_impl.h"

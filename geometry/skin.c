@@ -125,7 +125,6 @@ enum um_status um_geometry_skin_apply(struct um_geometry *geometry,
   for (uint32_t g = 0; g < patch->ngroup; g++)
     UM_CHECK(add_group(geometry, spec, part, patch, g, skin[g], has[g][0], has[g][1]));
 done:
-  um_core_free(geometry->context, (void *)skin);
-  um_core_free(geometry->context, (void *)has);
+  UM_FREE(geometry->context, (void *)skin, (void *)has);
   return status;
 }

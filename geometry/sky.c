@@ -10,8 +10,8 @@
 
 #include "base/core/constants.h"
 #include "base/core/sampling.h"
-#include "geometry/points_impl.h"
 #include "geometry/visibility.h"
+#include "geometry/visibility_data_impl.h"
 
 #define SIDE       32
 #define NCELL      (SIDE * SIDE)
@@ -167,9 +167,7 @@ done:
 void um_geometry_sky_destroy(struct um_geometry_sky **sky)
 {
   if (sky == NULL || *sky == NULL) return;
-  um_core_free((*sky)->context, (*sky)->row);
-  um_core_free((*sky)->context, (*sky)->freedom);
-  um_core_free((*sky)->context, *sky);
+  UM_FREE((*sky)->context, (*sky)->row, (*sky)->freedom, *sky);
   *sky = NULL;
 }
 

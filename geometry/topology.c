@@ -49,8 +49,7 @@ done:
 
 void um_geometry_edges_destroy(struct um_context *context, struct um_geometry_edges *edges)
 {
-  um_core_free(context, edges->edge);
-  um_core_free(context, edges->of_facet);
+  UM_FREE(context, edges->edge, edges->of_facet);
   memset(edges, 0, sizeof *edges);
 }
 
@@ -92,7 +91,6 @@ enum um_status um_geometry_edges_closed(struct um_context *context, const uint32
   for (size_t f = 0; f < nfacet; f++)
     closed[f] = !open[um_geometry_piece_root(piece, corner[f][0])];
 done:
-  um_core_free(context, piece);
-  um_core_free(context, open);
+  UM_FREE(context, piece, open);
   return status;
 }

@@ -129,7 +129,6 @@ enum um_status um_geometry_view_factor_keep(struct um_context *context, const ch
     status = UM_OK;
   }
 done:
-  um_core_free(context, path);
-  um_core_free(context, partial);
+  UM_FREE(context, path, partial);
   return status;
 }

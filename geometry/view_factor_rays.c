@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "base/core/sampling.h"
-#include "geometry/points_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 #define KEY_RAY UINT64_C(0x76696577)
 
@@ -33,8 +33,7 @@ enum um_status um_geometry_ray_counts_create(struct um_context *context,
 
 void um_geometry_ray_counts_clear(struct um_context *context, struct um_geometry_ray_counts *counts)
 {
-  um_core_free(context, counts->count);
-  um_core_free(context, counts->before);
+  UM_FREE(context, counts->count, counts->before);
 }
 
 void um_geometry_view_factor_rays(const struct um_geometry_mesh *mesh,

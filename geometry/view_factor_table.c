@@ -368,9 +368,6 @@ void um_geometry_view_factor_table_destroy(struct um_context *context,
     um_geometry_mirror_paths_destroy(context, &t->mirrored[k]);
   um_core_free(context, (void *)t->mirrored);
   um_geometry_mirrors_destroy(context, &t->mirrors);
-  um_core_free(context, (void *)t->pose);
-  um_core_free(context, t->corner);
-  um_core_free(context, t->weight);
-  um_core_free(context, t);
+  UM_FREE(context, (void *)t->pose, t->corner, t->weight, t);
   *table = NULL;
 }

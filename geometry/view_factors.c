@@ -231,9 +231,7 @@ static enum um_status pool(struct trace *t, const struct rows *b, double cutoff)
 
 static void rows_free(struct um_context *context, struct rows *rows)
 {
-  um_core_free(context, rows->begin);
-  um_core_free(context, rows->other);
-  um_core_free(context, rows->area);
+  UM_FREE(context, rows->begin, rows->other, rows->area);
 }
 
 enum um_status um_geometry_view_factors_create(
@@ -270,10 +268,7 @@ done:
   rows_free(context, &t.rows);
   rows_free(context, &columns);
   um_geometry_ray_counts_clear(context, &t.rays);
-  um_core_free(context, t.first);
-  um_core_free(context, t.end);
-  um_core_free(context, t.sum);
-  um_core_free(context, t.touched);
+  UM_FREE(context, t.first, t.end, t.sum, t.touched);
   um_geometry_view_factors_destroy(context, &factors);
   return status;
 }
@@ -282,11 +277,8 @@ void um_geometry_view_factors_destroy(struct um_context *context,
                                       struct um_geometry_view_factors **factors)
 {
   if (factors == NULL || *factors == NULL) return;
-  um_core_free(context, (*factors)->begin);
-  um_core_free(context, (*factors)->other);
-  um_core_free(context, (*factors)->area);
-  um_core_free(context, (*factors)->space);
-  um_core_free(context, *factors);
+  UM_FREE(context, (*factors)->begin, (*factors)->other, (*factors)->area, (*factors)->space,
+          *factors);
   *factors = NULL;
 }
 

@@ -72,8 +72,7 @@ enum um_status um_geometry_view_factors_mirrored(struct um_context *context,
   *out = own;
   own = NULL;
 done:
-  um_core_free(context, weight);
-  um_core_free(context, wanted);
+  UM_FREE(context, weight, wanted);
   um_geometry_view_factors_destroy(context, &own);
   return status;
 }

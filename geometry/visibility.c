@@ -22,8 +22,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "geometry/horizon_impl.h"
-#include "geometry/points_impl.h"
+#include "geometry/visibility_data_impl.h"
 
 #define PACKET 8
 
@@ -250,8 +249,7 @@ void um_geometry_visibility_destroy(struct um_geometry_visibility **visibility)
   struct um_geometry_visibility *v = *visibility;
   if (v->scene != NULL) rtcReleaseScene(v->scene);
   if (v->device != NULL) rtcReleaseDevice(v->device);
-  um_core_free(v->context, v->open);
-  um_core_free(v->context, v);
+  UM_FREE(v->context, v->open, v);
   *visibility = NULL;
 }
 

@@ -107,8 +107,7 @@ enum umbra_status umbra_cite(struct umbra *umbra, struct umbra_result *result,
   if (result->citation.sentence == NULL) {
     enum um_status status = compose(&t, result->kind->model(result->work));
     if (status != UM_OK) {
-      um_core_free(context, t.sentence);
-      um_core_free(context, t.bibtex);
+      UM_FREE(context, t.sentence, t.bibtex);
       return um_library_status(status);
     }
     result->citation = (struct umbra_citation){t.sentence, t.bibtex};

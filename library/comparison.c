@@ -22,9 +22,7 @@ static void comparison_release(struct um_context *context, void *work)
   um_compare_whole_release(context, &c->whole);
   um_library_measurements_drop(&c->measurements);
   um_library_source_release(context, &c->source);
-  um_core_free(context, c->channel);
-  um_core_free(context, c->column);
-  um_core_free(context, c);
+  UM_FREE(context, c->channel, c->column, c);
 }
 
 static enum um_status comparison_write(struct um_context *context,

@@ -26,13 +26,16 @@ enum um_status um_library_result_show(struct um_context *context, struct umbra_r
 }
 
 enum um_status um_library_result_make(struct um_context *context, struct umbra_result *result,
-                                      struct umbra_array array, double **data)
+                                      struct umbra_array array, const char *name, const char *unit,
+                                      double **data)
 {
   size_t n = 1;
   for (size_t i = 0; i < 4 && array.axis[i] != NULL; i++) n *= array.shape[i];
   UM_TRY(um_core_reallocate(context, result->nowned + 1, sizeof *data, &result->owned));
   UM_TRY(um_core_allocate(context, n, sizeof **data, data));
   result->owned[result->nowned++] = *data;
+  array.name = name;
+  array.unit = unit;
   array.data = *data;
   return um_library_result_show(context, result, &array);
 }
@@ -77,11 +80,7 @@ void umbra_result_close(struct umbra_result **result)
   struct um_context *context = session->context;
   if (r->work != NULL) r->kind->release(context, r->work);
   for (size_t i = 0; i < r->nowned; i++) um_core_free(context, r->owned[i]);
-  um_core_free(context, r->owned);
-  um_core_free(context, (void *)r->citation.sentence);
-  um_core_free(context, (void *)r->citation.bibtex);
-  um_core_free(context, r->array);
-  um_core_free(context, r);
+  UM_FREE(context, r->owned, (void *)r->citation.sentence, (void *)r->citation.bibtex, r->array, r);
   *result = NULL;
   um_library_session_drop(&session);
 }

@@ -33,8 +33,10 @@ enum um_status um_library_result_create(struct um_context *context, struct umbra
 /* Add an array; the data outlives the result. Nothing where data is NULL. */
 enum um_status um_library_result_show(struct um_context *context, struct umbra_result *result,
                                       const struct umbra_array *array);
-/* The same of new data [count], which the result owns and the caller fills. */
+/* The same, of that name and unit, of new data [count], which the result owns and the caller
+ * fills. */
 enum um_status um_library_result_make(struct um_context *context, struct umbra_result *result,
-                                      struct umbra_array array, double **data);
+                                      struct umbra_array array, const char *name, const char *unit,
+                                      double **data);
 
 #endif

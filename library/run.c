@@ -22,8 +22,7 @@ static void run_release(struct um_context *context, void *work)
   um_model_result_destroy(context, &run->result);
   um_model_precomputed_destroy(context, &run->precomputed);
   um_library_model_drop(&run->model);
-  um_core_free(context, run->log);
-  um_core_free(context, run);
+  UM_FREE(context, run->log, run);
 }
 
 static enum um_status run_write(struct um_context *context, const struct umbra_result *result,
@@ -117,27 +116,19 @@ static enum um_status make_times(struct um_context *context,
                                  const struct um_model_precomputed *precomputed, bool observer,
                                  struct umbra_result *to)
 {
-  struct umbra_array a = {.unit = "s", .shape = {precomputed->nobs}, .axis = {"time"}};
+  const struct umbra_array a = {.shape = {precomputed->nobs}, .axis = {"time"}};
   double *time, *sunlit, *hidden, *range, *phase;
-  a.name = "time_unix_s";
-  UM_TRY(um_library_result_make(context, to, a, &time));
-  a.unit = "1";
-  a.name = "sunlit";
-  UM_TRY(um_library_result_make(context, to, a, &sunlit));
-  a.name = "hidden";
-  UM_TRY(um_library_result_make(context, to, a, &hidden));
+  UM_TRY(um_library_result_make(context, to, a, "time_unix_s", "s", &time));
+  UM_TRY(um_library_result_make(context, to, a, "sunlit", "1", &sunlit));
+  UM_TRY(um_library_result_make(context, to, a, "hidden", "1", &hidden));
   for (size_t k = 0; k < precomputed->nobs; k++) {
     time[k] = unix_time(precomputed->t_obs[k]);
     sunlit[k] = precomputed->sunlit[k];
     hidden[k] = precomputed->hidden[k] ? 1.0 : 0.0;
   }
   if (!observer) return UM_OK;
-  a.unit = "m";
-  a.name = "range_m";
-  UM_TRY(um_library_result_make(context, to, a, &range));
-  a.unit = "rad";
-  a.name = "phase_angle_rad";
-  UM_TRY(um_library_result_make(context, to, a, &phase));
+  UM_TRY(um_library_result_make(context, to, a, "range_m", "m", &range));
+  UM_TRY(um_library_result_make(context, to, a, "phase_angle_rad", "rad", &phase));
   for (size_t k = 0; k < precomputed->nobs; k++) {
     size_t middle = k * precomputed->nsub + precomputed->nsub / 2;
     const struct um_environment_sample *s = &precomputed->sample[middle];
@@ -150,14 +141,10 @@ static enum um_status make_times(struct um_context *context,
 static enum um_status make_light(struct um_context *context, const struct um_model_result *r,
                                  struct umbra_result *to)
 {
-  struct umbra_array a = {.shape = {r->nobs, r->nband}, .axis = {"time", "band"}};
+  const struct umbra_array a = {.shape = {r->nobs, r->nband}, .axis = {"time", "band"}};
   double *intensity, *vega;
-  a.name = "intensity";
-  a.unit = "W/sr";
-  UM_TRY(um_library_result_make(context, to, a, &intensity));
-  a.name = "magnitude_vega";
-  a.unit = "mag";
-  UM_TRY(um_library_result_make(context, to, a, &vega));
+  UM_TRY(um_library_result_make(context, to, a, "intensity", "W/sr", &intensity));
+  UM_TRY(um_library_result_make(context, to, a, "magnitude_vega", "mag", &vega));
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++) {
       intensity[k * r->nband + b] = um_model_result_intensity(r, k, b, -1);
@@ -171,10 +158,9 @@ static enum um_status make_places(struct um_context *context, const struct um_mo
 {
   static const char *const name[] = {"temperature", "temperature_lowest", "temperature_highest"};
   for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
-    const struct umbra_array a = {
-        .name = name[i], .unit = "K", .shape = {r->nplace, r->nobs}, .axis = {"place", "time"}};
+    const struct umbra_array a = {.shape = {r->nplace, r->nobs}, .axis = {"place", "time"}};
     double *data;
-    UM_TRY(um_library_result_make(context, to, a, &data));
+    UM_TRY(um_library_result_make(context, to, a, name[i], "K", &data));
     for (size_t p = 0; p < r->nplace; p++) {
       const struct um_model_place_history *h = &r->place[p];
       const double *of[] = {h->mean, h->minimum, h->maximum};

@@ -20,10 +20,8 @@ static void change_release(struct um_context *context, struct um_model_change *c
 {
   for (size_t p = 0; change->parameter != NULL && p < change->nparameter; p++)
     um_core_free(context, (void *)change->parameter[p]);
-  um_core_free(context, (void *)change->parameter);
-  um_core_free(context, (void *)change->value);
-  um_core_free(context, (void *)change->effect);
-  um_core_free(context, (void *)change->target);
+  UM_FREE(context, (void *)change->parameter, (void *)change->value, (void *)change->effect,
+          (void *)change->target);
 }
 
 static enum um_status copy_text(struct um_context *context, const char *text, const char **out)
@@ -87,10 +85,7 @@ void um_library_source_release(struct um_context *context, struct um_library_sou
 {
   while (source->noverride > 0) um_library_source_drop_override(context, source);
   for (size_t i = 0; i < source->nchange; i++) change_release(context, &source->change[i]);
-  um_core_free(context, source->override);
-  um_core_free(context, source->change);
-  um_core_free(context, source->path);
-  um_core_free(context, source->text);
+  UM_FREE(context, source->override, source->change, source->path, source->text);
   *source = (struct um_library_source){0};
 }
 

@@ -84,9 +84,7 @@ done:
 void um_library_changes_clear(struct um_context *context, struct um_library_changes *c)
 {
   for (size_t i = 0; i < c->all.nwithout; i++) um_core_free(context, c->off[i]);
-  um_core_free(context, c->off);
-  um_core_free(context, c->key);
-  um_core_free(context, c->addition);
+  UM_FREE(context, c->off, c->key, c->addition);
 }
 
 /* What the model has of the effect's parameters, or their defaults, then what is said. */

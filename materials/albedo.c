@@ -7,7 +7,6 @@
  * in k, cubic Lagrange in the square root of the cosine, constant beyond. A lobe that an effect
  * makes more anisotropic than its record, or less, has the mean over azimuths of albedos of the
  * roughness toward each: 0.005 for factors to 2 (test: materials/records). */
-#include <assert.h>
 #include <math.h>
 
 #include "base/core/constants.h"

@@ -1,5 +1,4 @@
 /* Measured BRDFs from a table. */
-#include <math.h>
 #include <string.h>
 
 #include "base/core/constants.h"
@@ -79,8 +78,6 @@ void um_materials_brdf_destroy(struct um_context *context, struct um_materials_b
 {
   if (brdf == NULL || *brdf == NULL) return;
   for (size_t k = 0; k < (*brdf)->nsurface; k++) um_core_free(context, (*brdf)->surface[k]);
-  um_core_free(context, (*brdf)->surface);
-  um_core_free(context, (*brdf)->row);
-  um_core_free(context, *brdf);
+  UM_FREE(context, (*brdf)->surface, (*brdf)->row, *brdf);
   *brdf = NULL;
 }

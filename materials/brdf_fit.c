@@ -191,7 +191,6 @@ enum um_status um_materials_brdf_fit(struct um_context *context,
   UM_CHECK(um_core_allocate(context, task.n, sizeof *task.unit, &task.unit));
   status = fit(context, &task, out);
 done:
-  um_core_free(context, task.measured);
-  um_core_free(context, task.unit);
+  UM_FREE(context, task.measured, task.unit);
   return status;
 }

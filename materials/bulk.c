@@ -91,8 +91,7 @@ void um_materials_bulk_free(struct um_materials_record *record)
 {
   struct um_materials_table *table[2] = {&record->specific_heat, &record->conductivity};
   for (int k = 0; k < 2; k++) {
-    um_core_free(record->context, table[k]->temperature);
-    um_core_free(record->context, table[k]->value);
+    UM_FREE(record->context, table[k]->temperature, table[k]->value);
   }
 }
 

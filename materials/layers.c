@@ -83,9 +83,7 @@ static enum um_status read_stack(struct um_context *context, const struct um_mat
 
 static void constants_free(struct um_context *context, struct um_materials_constants *c)
 {
-  um_core_free(context, c->wavelength_um);
-  um_core_free(context, c->n);
-  um_core_free(context, c->k);
+  UM_FREE(context, c->wavelength_um, c->n, c->k);
 }
 
 void um_materials_layers_free(struct um_context *context, struct um_materials_layers **layers)

@@ -1,6 +1,5 @@
 /* The named records of a run: the product's own folder, then the scenario's files. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/data.h"
@@ -41,8 +40,7 @@ void um_materials_library_destroy(struct um_materials_library **library)
   struct um_context *context = (*library)->context;
   for (size_t i = 0; i < (*library)->count; i++)
     um_materials_record_destroy(&(*library)->records[i]);
-  um_core_free(context, (*library)->records);
-  um_core_free(context, *library);
+  UM_FREE(context, (*library)->records, *library);
   *library = NULL;
 }
 

@@ -48,21 +48,17 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_vec3(s * x, s * y, sqrt(c2));
 }
 
-static struct um_materials_reflected reflect_one(struct um_vec3 drawn, struct um_vec3 o)
+static struct um_materials_reflected reflect_one(const struct um_materials_lobe *lobe,
+                                                 struct um_vec3 drawn, struct um_vec3 o)
 {
+  (void)lobe;
   struct um_materials_reflected t = {.cos_d = um_vec3_dot(o, drawn)};
   t.i = um_vec3_axpy(um_vec3_scale(o, -1.0), 2.0 * t.cos_d, drawn);
   if (t.cos_d > 0.0 && t.i.z > 0.0) t.weight = fmin(1.0, t.i.z / o.z);
   return t;
 }
 
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  (void)lobe;
-  (void)toward;
-  for (size_t k = 0; k < n; k++) out[k] = reflect_one(drawn[k], o);
-}
+UM_MATERIALS_REFLECT_EACH(reflect_one)
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {

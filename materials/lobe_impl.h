@@ -10,6 +10,16 @@
 #include "materials/lobes.def"
 #undef UM_LOBE
 
+/* The member `reflect` of a kind whose samples for o have nothing in common, by
+ * reflect_one(lobe, drawn, o). */
+#define UM_MATERIALS_REFLECT_EACH(reflect_one)                                                     \
+  static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n, \
+                      struct um_vec3 o, double toward, struct um_materials_reflected *out)         \
+  {                                                                                                \
+    (void)toward;                                                                                  \
+    for (size_t k = 0; k < n; k++) out[k] = reflect_one(lobe, drawn[k], o);                        \
+  }
+
 /* Beckmann with separable masking and one roughness: its directional albedo stands in a table. */
 static inline bool um_materials_lobe_is_tabulated(const struct um_materials_lobe *lobe)
 {

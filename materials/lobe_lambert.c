@@ -24,18 +24,14 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_vec3(r * cos(phi), r * sin(phi), sqrt(1.0 - u));
 }
 
-static struct um_materials_reflected reflect_one(struct um_vec3 drawn, struct um_vec3 o)
+static struct um_materials_reflected reflect_one(const struct um_materials_lobe *lobe,
+                                                 struct um_vec3 drawn, struct um_vec3 o)
 {
+  (void)lobe;
   return (struct um_materials_reflected){drawn, 0.5 * um_vec3_norm(um_vec3_add(drawn, o)), 1.0};
 }
 
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  (void)lobe;
-  (void)toward;
-  for (size_t k = 0; k < n; k++) out[k] = reflect_one(drawn[k], o);
-}
+UM_MATERIALS_REFLECT_EACH(reflect_one)
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {

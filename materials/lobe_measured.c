@@ -28,9 +28,10 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_vec3(sine * cos(phi), sine * sin(phi), cosine);
 }
 
-static struct um_materials_reflected reflect_one(const struct um_materials_measured *m,
+static struct um_materials_reflected reflect_one(const struct um_materials_lobe *lobe,
                                                  struct um_vec3 h, struct um_vec3 o)
 {
+  const struct um_materials_measured *m = lobe->measured;
   struct um_materials_reflected r = {.cos_d = um_vec3_dot(o, h)};
   r.i = um_vec3_axpy(um_vec3_scale(o, -1.0), 2.0 * r.cos_d, h);
   if (!(r.cos_d > 0.0) || !(r.i.z > 0.0)) return r;
@@ -39,12 +40,7 @@ static struct um_materials_reflected reflect_one(const struct um_materials_measu
   return r;
 }
 
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  (void)toward;
-  for (size_t k = 0; k < n; k++) out[k] = reflect_one(lobe->measured, drawn[k], o);
-}
+UM_MATERIALS_REFLECT_EACH(reflect_one)
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {

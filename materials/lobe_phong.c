@@ -47,8 +47,10 @@ static struct um_vec3 draw(const struct um_materials_lobe *lobe, double u, doubl
   return um_vec3(sine * cos(phi), sine * sin(phi), cosine);
 }
 
-static struct um_materials_reflected reflect_one(struct um_vec3 drawn, struct um_vec3 o)
+static struct um_materials_reflected reflect_one(const struct um_materials_lobe *lobe,
+                                                 struct um_vec3 drawn, struct um_vec3 o)
 {
+  (void)lobe;
   struct um_materials_reflected t = {.cos_d = 0.0};
   /* the turn about z x r that takes z to r = (-o.x, -o.y, o.z): d + k x d + k x (k x d)/(1 + r.z)
    */
@@ -60,13 +62,7 @@ static struct um_materials_reflected reflect_one(struct um_vec3 drawn, struct um
   return t;
 }
 
-static void reflect(const struct um_materials_lobe *lobe, const struct um_vec3 *drawn, size_t n,
-                    struct um_vec3 o, double toward, struct um_materials_reflected *out)
-{
-  (void)lobe;
-  (void)toward;
-  for (size_t k = 0; k < n; k++) out[k] = reflect_one(drawn[k], o);
-}
+UM_MATERIALS_REFLECT_EACH(reflect_one)
 
 static double density(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {

@@ -241,12 +241,7 @@ enum um_status um_materials_measured_create(struct um_context *context,
 void um_materials_measured_destroy(struct um_context *context, struct um_materials_measured **m)
 {
   if (m == NULL || *m == NULL) return;
-  um_core_free(context, (*m)->polar);
-  um_core_free(context, (*m)->azimuth);
-  um_core_free(context, (*m)->log_f);
-  um_core_free(context, (*m)->point);
-  um_core_free(context, (*m)->turn);
-  um_core_free(context, *m);
+  UM_FREE(context, (*m)->polar, (*m)->azimuth, (*m)->log_f, (*m)->point, (*m)->turn, *m);
   *m = NULL;
 }
 

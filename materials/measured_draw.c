@@ -9,7 +9,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/interpolation.h"
-#include "base/core/vec.h"
 #include "materials/measured_impl.h"
 
 #define BINS      UM_MATERIALS_MEASURED_BINS

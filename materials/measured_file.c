@@ -204,9 +204,6 @@ done:
 void um_materials_measured_grid_free(struct um_context *context,
                                      struct um_materials_measured_grid *grid)
 {
-  um_core_free(context, grid->polar);
-  um_core_free(context, grid->azimuth);
-  um_core_free(context, grid->f);
-  um_core_free(context, grid->known);
+  UM_FREE(context, grid->polar, grid->azimuth, grid->f, grid->known);
   *grid = (struct um_materials_measured_grid){0};
 }

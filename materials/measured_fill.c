@@ -9,7 +9,6 @@
  * before what neither was. */
 #include <math.h>
 
-#include "base/core/constants.h"
 #include "materials/measured_impl.h"
 
 /* ln f of the measured row `node` toward p. */
@@ -106,7 +105,6 @@ enum um_status um_materials_measured_fill(struct um_context *context,
       }
     }
 done:
-  um_core_free(context, in.angle);
-  um_core_free(context, in.node);
+  UM_FREE(context, in.angle, in.node);
   return status;
 }

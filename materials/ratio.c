@@ -79,7 +79,6 @@ enum um_status um_materials_ratio_read(struct um_context *context, const char *p
 void um_materials_ratio_free(struct um_context *context,
                              struct um_materials_measured_reflectance *measured)
 {
-  um_core_free(context, measured->wavelength);
-  um_core_free(context, measured->reflectance);
+  UM_FREE(context, measured->wavelength, measured->reflectance);
   *measured = (struct um_materials_measured_reflectance){0};
 }

@@ -4,7 +4,6 @@
 
 #include "base/core/constants.h"
 #include "base/document/schema.h"
-#include "materials/bsdf.h"
 #include "materials/measured.h"
 #include "materials/record_impl.h"
 #include "materials/schema_impl.h"
@@ -211,11 +210,6 @@ void um_materials_record_destroy(struct um_materials_record **record)
   um_materials_bulk_free(r);
   um_core_free(context, r->albedo);
   um_materials_measured_destroy(context, &r->measured);
-  um_core_free(context, r->explicit_values.bands);
-  um_core_free(context, r->name);
-  um_core_free(context, r->summary);
-  um_core_free(context, r->citation);
-  um_core_free(context, r->source);
-  um_core_free(context, r);
+  UM_FREE(context, r->explicit_values.bands, r->name, r->summary, r->citation, r->source, r);
   *record = NULL;
 }

@@ -16,7 +16,6 @@
  * (1 - cos)^5 is Schlick's (1994) approach of Fresnel's law to grazing, of mean 1/21.
  * diffuse_scale, specular_scale, roughness_scale and slope_variance change what is reflected only.
  * A reflectance is never negative and the described rho_d plus F never above 1. */
-#include <assert.h>
 #include <math.h>
 
 #include "base/core/constants.h"

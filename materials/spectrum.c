@@ -239,10 +239,6 @@ enum um_status um_materials_spectrum_build(struct um_context *context,
 
 void um_materials_spectrum_free(struct um_context *context, struct um_materials_spectrum *spectrum)
 {
-  um_core_free(context, spectrum->wavelength);
-  um_core_free(context, spectrum->diffuse);
-  um_core_free(context, spectrum->masked_mean);
-  um_core_free(context, spectrum->lobe_mean);
-  um_core_free(context, spectrum->facet);
-  um_core_free(context, spectrum->lobe);
+  UM_FREE(context, spectrum->wavelength, spectrum->diffuse, spectrum->masked_mean,
+          spectrum->lobe_mean, spectrum->facet, spectrum->lobe);
 }

@@ -92,8 +92,7 @@ void um_orbit_attitude_destroy(struct um_orbit_attitude **attitude)
   struct um_context *context = (*attitude)->context;
   for (size_t i = 0; i < (*attitude)->n; i++)
     um_orbit_attitude_table_clear(context, &(*attitude)->law[i].table);
-  um_core_free(context, (*attitude)->law);
-  um_core_free(context, *attitude);
+  UM_FREE(context, (*attitude)->law, *attitude);
   *attitude = NULL;
 }
 

@@ -4,7 +4,6 @@
 #include "base/core/interpolation.h"
 #include "base/core/order.h"
 #include "orbit/attitude_table_impl.h"
-#include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 
 #include <stdlib.h>
@@ -16,9 +15,7 @@ static const double DEFAULT_GAP = 10.0;    /* in median steps */
 void um_orbit_attitude_table_clear(struct um_context *context,
                                    struct um_orbit_attitude_table *table)
 {
-  um_core_free(context, table->path);
-  um_core_free(context, table->t);
-  um_core_free(context, table->q);
+  UM_FREE(context, table->path, table->t, table->q);
   *table = (struct um_orbit_attitude_table){0};
 }
 
@@ -94,15 +91,7 @@ enum um_status um_orbit_attitude_table_at(struct um_context *context,
                                           const struct um_orbit_attitude_table *table, double t_tai,
                                           struct um_quat *q)
 {
-  if (!(t_tai >= table->t[0] && t_tai <= table->t[table->n - 1])) {
-    char at[32], first[32], last[32];
-    um_orbit_time_format(t_tai, at);
-    um_orbit_time_format(table->t[0], first);
-    um_orbit_time_format(table->t[table->n - 1], last);
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "%s: an attitude is wanted at %s; the table covers %s to %s", table->path,
-                        at, first, last);
-  }
+  UM_TRY(um_orbit_time_within(context, table->path, "an attitude", t_tai, table->t, table->n));
   size_t i = um_core_interval_find(table->t, table->n, t_tai);
   double u = (t_tai - table->t[i]) / (table->t[i + 1] - table->t[i]);
   *q = um_core_quat_slerp(table->q[i], table->q[i + 1], u);

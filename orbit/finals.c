@@ -139,11 +139,7 @@ void um_orbit_finals_destroy(struct um_orbit_finals **finals)
 {
   if (!finals || !*finals) return;
   struct um_context *context = (*finals)->context;
-  um_core_free(context, (*finals)->t);
-  um_core_free(context, (*finals)->ut1_tai);
-  um_core_free(context, (*finals)->xp);
-  um_core_free(context, (*finals)->yp);
-  um_core_free(context, *finals);
+  UM_FREE(context, (*finals)->t, (*finals)->ut1_tai, (*finals)->xp, (*finals)->yp, *finals);
   *finals = NULL;
 }
 

@@ -5,7 +5,7 @@
  * E) Reference: Vallado 2013, Fundamentals of Astrodynamics, chapters 2 and 5; Montenbruck & Gill
  * 2000, chapter 2. */
 #include "base/core/constants.h"
-#include "orbit/kepler_impl.h"
+#include "orbit/trajectory_impl.h"
 
 enum { KEPLER_ITERATIONS = 100 };
 

@@ -4,7 +4,6 @@
  * the samples is refined as a root of the elevation's rate (central difference), and inserted, so
  * that each crossing of the limit lies between two samples of opposite sign. Roots by bracketed
  * regula falsi (Illinois), to 0.1 ms. */
-#include "base/core/constants.h"
 #include "orbit/observer.h"
 
 enum { SAMPLES_PER_PERIOD = 100, ROOT_ITERATIONS = 100 };

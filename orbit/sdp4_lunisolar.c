@@ -5,7 +5,7 @@
  * satellite's orbital plane (components a1 along the node, a2 across, a5 along the normal; b
  * alike), and their projections X on the satellite's apsides, the averaged disturbing function is a
  * quadratic form in A, B, X: the numbers Z and S below. */
-#include "orbit/sdp4_lunisolar_impl.h"
+#include "orbit/sgp4_impl.h"
 
 #define ZNS             1.19459e-5   /* mean motion of the Sun [rad/min] */
 #define ZES             0.01675      /* eccentricity of the Sun's orbit */

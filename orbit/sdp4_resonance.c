@@ -4,7 +4,7 @@
  *   dn/dt = sum A sin(k_w omega + k_l lambda - phase),   dlambda/dt = n + lambda_dot,
  * integrated from the epoch by Taylor steps of 720 min (Hujsak 1979; STR3 section 7; V06). Every
  * call starts at the epoch, so that a state does not depend on the calls before it. */
-#include "orbit/sdp4_resonance_impl.h"
+#include "orbit/sgp4_impl.h"
 
 #define EARTH_RATE 4.37526908801129966e-3 /* sidereal rotation [rad/min] */
 #define STEP       720.0                  /* [min] */

@@ -7,8 +7,6 @@
 
 #include <erfa.h>
 
-#include "orbit/sdp4_lunisolar_impl.h"
-#include "orbit/sdp4_resonance_impl.h"
 #include "orbit/sgp4_impl.h"
 
 #define DEEP_SPACE_PERIOD 225.0     /* [min] */

@@ -3,7 +3,7 @@
  *
  * References: STR3 section 6; V06; Hoots, Schumacher & Glover 2004, J. Guidance 27:174, whose
  * letters (xi, eta, psi, C1..C5, D2..D4) are kept. */
-#include "orbit/sgp4_secular_impl.h"
+#include "orbit/sgp4_impl.h"
 
 /* Quantities of the epoch that several steps need. */
 struct epoch {

@@ -30,3 +30,15 @@ done:
   um_core_free(context, t);
   return status;
 }
+
+enum um_status um_orbit_time_within(struct um_context *context, const char *path, const char *what,
+                                    double t_tai, const double *t, size_t n)
+{
+  char at[32], first[32], last[32];
+  if (t_tai >= t[0] && t_tai <= t[n - 1]) return UM_OK;
+  um_orbit_time_format(t_tai, at);
+  um_orbit_time_format(t[0], first);
+  um_orbit_time_format(t[n - 1], last);
+  return um_core_fail(context, UM_ERR_INPUT, "%s: %s is wanted at %s; the table covers %s to %s",
+                      path, what, at, first, last);
+}

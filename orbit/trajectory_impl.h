@@ -1,11 +1,43 @@
-/* What the files behind um_orbit_trajectory share. */
+/* Kinds of orbits. Private to orbit/. */
 #ifndef UMBRA_ORBIT_TRAJECTORY_IMPL_H
 #define UMBRA_ORBIT_TRAJECTORY_IMPL_H
 
-#include "orbit/kepler_impl.h"
 #include "orbit/sgp4.h"
 #include "orbit/trajectory.h"
-#include "orbit/trajectory_table_impl.h"
+
+/* Two-body ellipse, or a circle of any rate. */
+struct um_orbit_conic {
+  struct um_vec3 p, q; /* unit, GCRS: toward perigee (epoch point), and 90 deg ahead */
+  double a, e;         /* [m], [1] */
+  double rate;         /* mean motion [rad/s] */
+  double m0;           /* mean anomaly at the epoch [rad] */
+  double epoch;        /* t_tai [s] */
+};
+
+/* Eccentric anomaly [rad] of M = E - e sin E, 0 <= e < 1, any M; to the last bits of M.
+ * UM_ERR_NUMERIC when it does not converge (NaN). */
+enum um_status um_orbit_kepler_solve(struct um_context *context, double mean_anomaly, double e,
+                                     double *eccentric_anomaly);
+enum um_status um_orbit_conic_state(struct um_context *context, const struct um_orbit_conic *conic,
+                                    double t_tai, struct um_vec3 *r, struct um_vec3 *v);
+
+struct um_orbit_table {
+  char *path;
+  size_t n;
+  double *t;         /* t_tai [s], ascending, shape [n] */
+  struct um_vec3 *r; /* GCRS [m], shape [n] */
+  struct um_vec3 *v; /* [m/s], shape [n] */
+};
+
+enum um_status um_orbit_table_state(struct um_context *context, const struct um_orbit_table *table,
+                                    double t_tai, struct um_vec3 *r, struct um_vec3 *v);
+void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *table);
+/* Read and check the CSV of um_orbit_trajectory_create_table; the caller clears the table, after an
+ * error too. */
+enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   struct um_orbit_table *table);
+/* Period of the osculating ellipse in the first row [s]; NaN when it is open. */
+double um_orbit_table_period(const struct um_orbit_table *table);
 
 enum trajectory_kind {
   TRAJECTORY_TLE,

@@ -8,9 +8,8 @@
 
 #include "base/core/constants.h"
 #include "base/core/interpolation.h"
-#include "orbit/time.h"
 #include "orbit/time_column_impl.h"
-#include "orbit/trajectory_table_impl.h"
+#include "orbit/trajectory_impl.h"
 
 #define NEAREST  6e6  /* [m] from the geocentre: the smallest Earth that a scenario may have */
 #define FARTHEST 1e12 /* [m] as far as an observer may be */
@@ -21,15 +20,7 @@ static const char *const columns[7] = {"time_utc", "x_km",    "y_km",   "z_km",
 enum um_status um_orbit_table_state(struct um_context *context, const struct um_orbit_table *table,
                                     double t_tai, struct um_vec3 *r, struct um_vec3 *v)
 {
-  if (!(t_tai >= table->t[0] && t_tai <= table->t[table->n - 1])) {
-    char at[32], first[32], last[32];
-    um_orbit_time_format(t_tai, at);
-    um_orbit_time_format(table->t[0], first);
-    um_orbit_time_format(table->t[table->n - 1], last);
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "%s: a position is wanted at %s; the table covers %s to %s", table->path,
-                        at, first, last);
-  }
+  UM_TRY(um_orbit_time_within(context, table->path, "a position", t_tai, table->t, table->n));
   size_t i = um_core_interval_find(table->t, table->n, t_tai);
   double h = table->t[i + 1] - table->t[i], u = (t_tai - table->t[i]) / h, w = 1.0 - u;
   struct um_vec3 a = table->r[i], b = table->r[i + 1];
@@ -46,10 +37,7 @@ enum um_status um_orbit_table_state(struct um_context *context, const struct um_
 
 void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *table)
 {
-  um_core_free(context, table->path);
-  um_core_free(context, table->t);
-  um_core_free(context, table->r);
-  um_core_free(context, table->v);
+  UM_FREE(context, table->path, table->t, table->r, table->v);
   *table = (struct um_orbit_table){0};
 }
 

@@ -25,13 +25,13 @@ void um_output_write_cases(const struct um_variant_cases *cases, FILE *file)
       const struct um_variant_case *c = &cases->item[i];
       const struct um_variant_case_place *place = &c->place[p];
       um_core_csv_put(file, c->name, "");
-      um_output_csv_text(file, um_variant_analysis_name(c->analysis), "");
-      um_output_csv_text(file, place->name, "");
+      um_core_csv_put_text(file, um_variant_analysis_name(c->analysis), "");
+      um_core_csv_put_text(file, place->name, "");
       const double value[] = {place->mean,       place->lowest,     place->highest,
                               place->minimum,    place->maximum,    place->uncertainty,
                               place->margin_low, place->margin_high};
       for (size_t k = 0; k < sizeof value / sizeof value[0]; k++)
-        um_output_csv_number(file, value[k]);
+        um_core_csv_put_number(file, value[k]);
       fputc('\n', file);
     }
 }

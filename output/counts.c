@@ -21,22 +21,22 @@ enum um_status um_output_write_counts(const struct um_output_run *run, FILE *fil
   fputs("time_utc", file);
   for (size_t s = 0; s < model->nsensor; s++)
     for (size_t c = 0; c < UM_OUTPUT_COUNTS_COLUMNS; c++)
-      um_output_csv_text(file, model->sensor[s].name, columns[c]);
+      um_core_csv_put_text(file, model->sensor[s].name, columns[c]);
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
     UM_TRY(um_output_stop(run));
     um_output_csv_time(file, run->precomputed->t_obs[k]);
     for (size_t s = 0; s < model->nsensor; s++) {
       struct um_instrument_exposure e = um_model_expose(model, run->precomputed, r, k, s);
-      um_output_csv_number(file, r->count_rate[k * r->nsensor + s]);
-      um_output_csv_number(file, r->count_rate_error[k * r->nsensor + s]);
-      um_output_csv_number(file, e.signal);
-      um_output_csv_number(file, e.background);
-      um_output_csv_number(file, e.peak);
-      um_output_csv_number(file, isnan(e.peak) ? (double)NAN : e.saturated);
-      um_output_csv_number(file, e.snr);
-      um_output_csv_number(file, um_model_scintillation(model, run->precomputed, k, s));
-      um_output_csv_number(file, e.limit_ab);
+      um_core_csv_put_number(file, r->count_rate[k * r->nsensor + s]);
+      um_core_csv_put_number(file, r->count_rate_error[k * r->nsensor + s]);
+      um_core_csv_put_number(file, e.signal);
+      um_core_csv_put_number(file, e.background);
+      um_core_csv_put_number(file, e.peak);
+      um_core_csv_put_number(file, isnan(e.peak) ? (double)NAN : e.saturated);
+      um_core_csv_put_number(file, e.snr);
+      um_core_csv_put_number(file, um_model_scintillation(model, run->precomputed, k, s));
+      um_core_csv_put_number(file, e.limit_ab);
     }
     fputc('\n', file);
   }

@@ -17,22 +17,6 @@ static inline enum um_status um_output_stop(const struct um_output_run *run)
   return um_core_stop_check(run->context, "the results were written");
 }
 
-/* ",value" with nine significant digits; an empty field for what is not a finite number. */
-static inline void um_output_csv_number(FILE *file, double value)
-{
-  if (!isfinite(value))
-    fputc(',', file);
-  else
-    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
-}
-
-/* ",text" with `tail` behind it, in quotes where it needs them. */
-static inline void um_output_csv_text(FILE *file, const char *text, const char *tail)
-{
-  fputc(',', file);
-  um_core_csv_put(file, text, tail);
-}
-
 /* The first field of a row: UTC to the millisecond. */
 static inline void um_output_csv_time(FILE *file, double t_tai)
 {

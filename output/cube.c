@@ -1,7 +1,6 @@
 /* Factored pictures as netCDF-4, written line by line from the picture. */
 #include "output/cube.h"
 
-#include <errno.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <stdio.h>
@@ -197,32 +196,16 @@ static enum um_status write_lines(const struct cube *c)
   }
   status = UM_OK;
 done:
-  um_core_free(c->context, narrow);
-  um_core_free(c->context, wide);
+  UM_FREE(c->context, narrow, wide);
   return status;
 }
 
-/* Written beside its name, then renamed. */
 static enum um_status save(const struct cube *c, const NC_memio *memory)
 {
-  char *partial = NULL;
-  UM_TRY(um_core_file_partial(c->context, c->path, &partial));
-  um_core_file_leftovers_remove(c->context, c->path);
-  FILE *file = fopen(partial, "wb");
-  enum um_status status = UM_OK;
-  if (file == NULL) {
-    status = um_core_fail(c->context, UM_ERR_IO, "%s: %s", c->path, strerror(errno));
-  } else {
-    (void)fwrite(memory->memory, 1, memory->size, file);
-    status = um_core_file_sync(c->context, c->path, file);
-    enum um_status closed = um_core_file_close(c->context, c->path, &file);
-    if (status == UM_OK) status = closed;
-    if (status == UM_OK && rename(partial, c->path) != 0)
-      status = um_core_fail(c->context, UM_ERR_IO, "%s: %s", c->path, strerror(errno));
-    if (status != UM_OK) (void)remove(partial);
-  }
-  um_core_free(c->context, partial);
-  return status;
+  struct um_core_whole_file whole;
+  UM_TRY(um_core_whole_begin(c->context, c->path, &whole));
+  (void)fwrite(memory->memory, 1, memory->size, whole.file);
+  return um_core_whole_end(c->context, &whole, UM_OK);
 }
 
 enum um_status um_output_write_cube(struct um_context *context, const struct um_optics_image *image,

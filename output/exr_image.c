@@ -127,7 +127,6 @@ enum um_status um_output_write_exr(struct um_context *context, const struct um_o
   UM_CHECK(write_source(context, &s, name, path));
 done:
   for (size_t c = 0; c < PREVIEW; c++) um_core_free(context, s.preview[c]);
-  um_core_free(context, names);
-  um_core_free(context, name);
+  UM_FREE(context, names, name);
   return status;
 }

@@ -2,7 +2,6 @@
  * It is so little that no library is needed for it. */
 #include "output/fits.h"
 
-#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -95,23 +94,10 @@ enum um_status um_output_write_fits(struct um_context *context, const float *val
                                     int height, const struct um_output_card *cards, size_t ncard,
                                     const char *path)
 {
-  char *partial = NULL;
-  UM_TRY(um_core_file_partial(context, path, &partial));
-  um_core_file_leftovers_remove(context, path);
-  struct writer w = {.file = fopen(partial, "wb")};
-  enum um_status status = UM_OK;
-  if (w.file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  } else {
-    put_header(&w, width, height, cards, ncard);
-    put_values(&w, value, width, height);
-    status = um_core_file_sync(context, path, w.file);
-    enum um_status closed = um_core_file_close(context, path, &w.file);
-    if (status == UM_OK) status = closed;
-    if (status == UM_OK && rename(partial, path) != 0)
-      status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-    if (status != UM_OK) (void)remove(partial);
-  }
-  um_core_free(context, partial);
-  return status;
+  struct um_core_whole_file whole;
+  UM_TRY(um_core_whole_begin(context, path, &whole));
+  struct writer w = {.file = whole.file};
+  put_header(&w, width, height, cards, ncard);
+  put_values(&w, value, width, height);
+  return um_core_whole_end(context, &whole, UM_OK);
 }

@@ -195,9 +195,6 @@ done:
 void um_output_fits_destroy(struct um_context *context, struct um_output_fits **fits)
 {
   if (*fits == NULL) return;
-  um_core_free(context, (*fits)->path);
-  um_core_free(context, (*fits)->value);
-  um_core_free(context, (*fits)->header);
-  um_core_free(context, *fits);
+  UM_FREE(context, (*fits)->path, (*fits)->value, (*fits)->header, *fits);
   *fits = NULL;
 }

@@ -44,8 +44,8 @@ static enum um_status noise_of(struct um_context *context, const struct um_outpu
 static enum um_status write_raw(struct um_context *context, const struct um_output_frame *f,
                                 const char *path)
 {
-  FILE *file = fopen(path, "wb");
-  if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+  FILE *file;
+  UM_TRY(um_core_file_create(context, path, &file));
   fwrite(f->counts, sizeof *f->counts, (size_t)f->width * (size_t)f->height, file);
   return um_core_file_close(context, path, &file);
 }

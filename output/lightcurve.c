@@ -67,7 +67,7 @@ static void write_header(const struct um_output_run *run, FILE *file)
         file);
   for (size_t b = 0; b < run->model->nband; b++)
     for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++)
-      um_output_csv_text(file, run->model->band[b].name, tails[c]);
+      um_core_csv_put_text(file, run->model->band[b].name, tails[c]);
   for (size_t c = 0; c < um_output_grey_columns(run->model); c++) fputs(grey_columns[c], file);
   fputc('\n', file);
 }
@@ -88,13 +88,13 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
     const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
     UM_TRY(um_output_stop(run));
     um_output_csv_time(file, precomputed->t_obs[k]);
-    um_output_csv_number(file, look->azimuth / UM_DEG);
-    um_output_csv_number(file, look->elevation / UM_DEG);
-    um_output_csv_number(file, look->range * 1e-3);
-    um_output_csv_number(file, um_environment_airmass_toward(look->elevation));
-    um_output_csv_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
-    um_output_csv_number(file, precomputed->sunlit[k]);
-    um_output_csv_number(file, look->sun_elevation / UM_DEG);
+    um_core_csv_put_number(file, look->azimuth / UM_DEG);
+    um_core_csv_put_number(file, look->elevation / UM_DEG);
+    um_core_csv_put_number(file, look->range * 1e-3);
+    um_core_csv_put_number(file, um_environment_airmass_toward(look->elevation));
+    um_core_csv_put_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
+    um_core_csv_put_number(file, precomputed->sunlit[k]);
+    um_core_csv_put_number(file, look->sun_elevation / UM_DEG);
     double nearer = 5.0 * log10(look->range / STANDARD_RANGE); /* [mag] */
     for (size_t b = 0; b < r->nband; b++) {
       double value[UM_LIGHTCURVE_COLUMNS] = {0.0};
@@ -107,12 +107,12 @@ enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE 
       value[UM_LIGHTCURVE_MAG_AB] = r->magnitude_ab[at];
       value[UM_LIGHTCURVE_MAG_VEGA] = r->magnitude_ab[at] - r->vega_ab[b];
       value[UM_LIGHTCURVE_MAG_1000_KM] = r->magnitude_ab[at] - nearer;
-      for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++) um_output_csv_number(file, value[c]);
+      for (int c = 0; c < UM_LIGHTCURVE_COLUMNS; c++) um_core_csv_put_number(file, value[c]);
     }
     double grey[UM_LIGHTCURVE_GREY];
     if (r->grey_body != NULL) um_output_grey_values(&r->grey_body[k], grey);
     for (size_t c = 0; r->grey_body != NULL && c < um_output_grey_columns(run->model); c++)
-      um_output_csv_number(file, grey[c]);
+      um_core_csv_put_number(file, grey[c]);
     fputc('\n', file);
   }
   return UM_OK;
@@ -129,9 +129,9 @@ enum um_status um_output_write_materials(const struct um_output_run *run, FILE *
         const double *at =
             r->intensity + ((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT;
         um_output_csv_time(file, run->precomputed->t_obs[k]);
-        um_output_csv_text(file, run->model->band[b].name, "");
-        um_output_csv_text(file, um_geometry_material_name(run->model->geometry, m), "");
-        for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_output_csv_number(file, at[i]);
+        um_core_csv_put_text(file, run->model->band[b].name, "");
+        um_core_csv_put_text(file, um_geometry_material_name(run->model->geometry, m), "");
+        for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_core_csv_put_number(file, at[i]);
         fputc('\n', file);
       }
   return UM_OK;

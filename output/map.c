@@ -26,9 +26,9 @@ enum um_status um_output_write_map(struct um_context *context, const struct um_o
   const struct um_model_map *map = of->map;
   fputs("phase_angle_deg,latitude_deg,longitude_deg", file);
   for (size_t b = 0; b < map->nband; b++) {
-    um_output_csv_text(file, of->model->band[b].name, "_m2_sr");
-    um_output_csv_text(file, of->model->band[b].name, "_spread_m2_sr");
-    um_output_csv_text(file, of->model->band[b].name, "_stderr_m2_sr");
+    um_core_csv_put_text(file, of->model->band[b].name, "_m2_sr");
+    um_core_csv_put_text(file, of->model->band[b].name, "_spread_m2_sr");
+    um_core_csv_put_text(file, of->model->band[b].name, "_stderr_m2_sr");
   }
   fputc('\n', file);
   for (size_t g = 0; g < map->nphase; g++)
@@ -36,13 +36,13 @@ enum um_status um_output_write_map(struct um_context *context, const struct um_o
       UM_TRY(um_core_stop_check(context, "the map was written"));
       for (size_t j = 0; j < map->nlongitude; j++) {
         fprintf(file, "%.9g", map->phase_angle[g] / UM_DEG);
-        um_output_csv_number(file, latitude_at(map, i));
-        um_output_csv_number(file, longitude_at(map, j));
+        um_core_csv_put_number(file, latitude_at(map, i));
+        um_core_csv_put_number(file, longitude_at(map, j));
         for (size_t b = 0; b < map->nband; b++) {
           struct um_model_map_node node = um_model_map_node(map, g, i, j, b);
-          um_output_csv_number(file, node.mean);
-          um_output_csv_number(file, node.spread);
-          um_output_csv_number(file, node.error);
+          um_core_csv_put_number(file, node.mean);
+          um_core_csv_put_number(file, node.spread);
+          um_core_csv_put_number(file, node.error);
         }
         fputc('\n', file);
       }
@@ -52,9 +52,9 @@ enum um_status um_output_write_map(struct um_context *context, const struct um_o
 
 static void vector(FILE *file, struct um_vec3 v)
 {
-  um_output_csv_number(file, v.x);
-  um_output_csv_number(file, v.y);
-  um_output_csv_number(file, v.z);
+  um_core_csv_put_number(file, v.x);
+  um_core_csv_put_number(file, v.y);
+  um_core_csv_put_number(file, v.z);
 }
 
 enum um_status um_output_write_map_pass(struct um_context *context, const struct um_output_map *of,
@@ -66,29 +66,29 @@ enum um_status um_output_write_map_pass(struct um_context *context, const struct
         file);
   for (size_t b = 0; b < p->nband; b++) {
     const char *name = of->model->band[b].name;
-    um_output_csv_text(file, name, "_looked_up_W_sr");
-    um_output_csv_text(file, name, "_smallest_phase_angle_W_sr");
-    um_output_csv_text(file, name, "_direct_W_sr");
-    um_output_csv_text(file, name, "_stderr_W_sr");
+    um_core_csv_put_text(file, name, "_looked_up_W_sr");
+    um_core_csv_put_text(file, name, "_smallest_phase_angle_W_sr");
+    um_core_csv_put_text(file, name, "_direct_W_sr");
+    um_core_csv_put_text(file, name, "_stderr_W_sr");
   }
   fputc('\n', file);
   for (size_t i = 0; i < p->n; i++) {
     UM_TRY(um_core_stop_check(context, "the map was written"));
     um_output_csv_time(file, p->t[i]);
-    um_output_csv_number(file, p->at[i].latitude / UM_DEG);
-    um_output_csv_number(file, p->at[i].longitude / UM_DEG);
-    um_output_csv_number(file, p->at[i].phase_angle / UM_DEG);
-    um_output_csv_number(file, p->at[i].plane / UM_DEG);
-    um_output_csv_number(file, p->sample[i].sunlit_fraction);
-    um_output_csv_number(file, 1e-3 * p->sample[i].range);
+    um_core_csv_put_number(file, p->at[i].latitude / UM_DEG);
+    um_core_csv_put_number(file, p->at[i].longitude / UM_DEG);
+    um_core_csv_put_number(file, p->at[i].phase_angle / UM_DEG);
+    um_core_csv_put_number(file, p->at[i].plane / UM_DEG);
+    um_core_csv_put_number(file, p->sample[i].sunlit_fraction);
+    um_core_csv_put_number(file, 1e-3 * p->sample[i].range);
     vector(file, p->sun[i]);
     vector(file, p->observer[i]);
     for (size_t b = 0; b < p->nband; b++) {
       size_t at = i * p->nband + b;
-      um_output_csv_number(file, p->light[at] * p->looked_up[at]);
-      um_output_csv_number(file, p->light[at] * p->smallest[at]);
-      um_output_csv_number(file, p->light[at] * p->direct[at]);
-      um_output_csv_number(file, p->light[at] * p->error[at]);
+      um_core_csv_put_number(file, p->light[at] * p->looked_up[at]);
+      um_core_csv_put_number(file, p->light[at] * p->smallest[at]);
+      um_core_csv_put_number(file, p->light[at] * p->direct[at]);
+      um_core_csv_put_number(file, p->light[at] * p->error[at]);
     }
     fputc('\n', file);
   }
@@ -177,7 +177,6 @@ enum um_status um_output_write_map_exr(struct um_context *context, const struct 
                                     .number = &step};
   UM_CHECK(um_output_write_planes(context, &planes, path));
 done:
-  um_core_free(context, names);
-  um_core_free(context, name);
+  UM_FREE(context, names, name);
   return status;
 }

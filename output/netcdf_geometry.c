@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 /* Surface of one side of a facet, UM_GEOMETRY_NONE where that side does not radiate. */
 static uint32_t side_surface(const struct um_geometry_mesh *mesh, size_t facet, int back)
@@ -39,8 +39,7 @@ static enum um_status put_sides(const struct um_output_netcdf *w)
     UM_CHECK(um_output_netcdf_double(w, names[back][2], axes, 2, "K", names[back][3], t));
   }
 done:
-  um_core_free(w->context, material);
-  um_core_free(w->context, t);
+  UM_FREE(w->context, material, t);
   return status;
 }
 
@@ -73,8 +72,7 @@ static enum um_status put_parts(const struct um_output_netcdf *w)
   for (size_t f = 0; f < mesh->nfacet; f++) facet[f] = place[mesh->facet_part[f]];
   UM_CHECK(um_output_netcdf_int(w, "facet_part", &axis, 1, "index into part of each facet", facet));
 done:
-  um_core_free(w->context, facet);
-  um_core_free(w->context, place);
+  UM_FREE(w->context, facet, place);
   return status;
 }
 
@@ -104,8 +102,7 @@ enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w)
   UM_CHECK(put_parts(w));
   UM_CHECK(put_sides(w));
 done:
-  um_core_free(w->context, angles);
-  um_core_free(w->context, xyz);
+  UM_FREE(w->context, angles, xyz);
   um_geometry_pose_destroy(w->context, &pose);
   return status;
 }

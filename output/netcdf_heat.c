@@ -5,7 +5,7 @@
  */
 #include <math.h>
 
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 /* The place of a node, and which of the place's nodes it is. */
 struct home {
@@ -54,9 +54,7 @@ static enum um_status put_nodes(const struct um_output_netcdf *w)
                                 place));
 done:
   for (size_t i = 0; name != NULL && i < n; i++) um_core_free(w->context, name[i]);
-  um_core_free(w->context, name);
-  um_core_free(w->context, home);
-  um_core_free(w->context, place);
+  UM_FREE(w->context, name, home, place);
   return status;
 }
 

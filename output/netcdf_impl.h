@@ -1,5 +1,4 @@
-/* Private to the writers of run.nc: dimensions, and variables with units and meaning. The library
- * itself is known to netcdf.c alone. */
+/* Groups of run.nc. Private to output/. */
 #ifndef UMBRA_OUTPUT_NETCDF_IMPL_H
 #define UMBRA_OUTPUT_NETCDF_IMPL_H
 
@@ -53,5 +52,11 @@ enum um_status um_output_netcdf_note(const struct um_output_netcdf *w, const cha
 enum um_status um_output_netcdf_names(const struct um_output_netcdf *w,
                                       enum um_output_dimension axis, const char *long_name,
                                       const char *const *names);
+
+enum um_status um_output_netcdf_times(const struct um_output_netcdf *w);
+enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w);
+enum um_status um_output_netcdf_heat(const struct um_output_netcdf *w);
+enum um_status um_output_netcdf_solids(const struct um_output_netcdf *w);
+enum um_status um_output_netcdf_light(const struct um_output_netcdf *w);
 
 #endif

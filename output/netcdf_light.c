@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "output/lightcurve_impl.h"
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 static enum um_status put_bands(const struct um_output_netcdf *w)
 {

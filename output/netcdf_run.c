@@ -3,7 +3,7 @@
  * Dimensions carry coordinates of the same name where they have one: `time` as a UTC clock shows
  * it, `wavelength`, and names for part, node, material, band, mechanism and axes. A stock reader
  * then selects by them: ds.irradiance.sel(band="lwir") in xarray. */
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 static enum um_status put_attributes(const struct um_output_netcdf *w)
 {

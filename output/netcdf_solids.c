@@ -1,6 +1,6 @@
 /* run.nc: the inside of solids, one after the other: vertices of their tetrahedra with temperatures
  * over time. */
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 #include "output/solids_impl.h"
 #include "thermal/network/tetgen.h"
 
@@ -72,8 +72,6 @@ enum um_status um_output_netcdf_solids(const struct um_output_netcdf *w)
   UM_CHECK(um_output_netcdf_double(w, "solid_vertex_temperature", tv, 2, "K",
                                    "temperature inside solids", t));
 done:
-  um_core_free(w->context, xyz);
-  um_core_free(w->context, t);
-  um_core_free(w->context, node);
+  UM_FREE(w->context, xyz, t, node);
   return status;
 }

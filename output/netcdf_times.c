@@ -10,7 +10,7 @@
 #include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "orbit/time.h"
-#include "output/netcdf_groups_impl.h"
+#include "output/netcdf_impl.h"
 
 static const enum um_output_dimension t = UM_NC_TIME;
 

@@ -1,5 +1,4 @@
 /* satellite.png: pictures of several instants and bands side by side, drawn by gnuplot. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -53,11 +52,7 @@ static enum um_status write_pixels(struct um_context *context, const struct um_o
   FILE *f = NULL;
   enum um_status status;
   UM_CHECK(weigh(context, image, panel->index, &weighed));
-  f = fopen(path, "wb");
-  if (f == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-    goto done;
-  }
+  UM_CHECK(um_core_file_create(context, path, &f));
   for (int y = 0; y < image->height; y++)
     for (int x = 0; x < image->width; x++) {
       float v = (float)um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);

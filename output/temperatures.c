@@ -1,8 +1,6 @@
 /* temperatures.csv, heat.csv and temperatures.cic. */
-#include <math.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "output/csv_impl.h"
 #include "output/output.h"
 
@@ -12,18 +10,18 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   fputs("time_utc", file);
   for (size_t p = 0; p < r->nplace; p++) {
     const char *name = r->place[p].name;
-    um_output_csv_text(file, name, ".mean_K");
-    um_output_csv_text(file, name, ".min_K");
-    um_output_csv_text(file, name, ".max_K");
+    um_core_csv_put_text(file, name, ".mean_K");
+    um_core_csv_put_text(file, name, ".min_K");
+    um_core_csv_put_text(file, name, ".max_K");
   }
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
     UM_TRY(um_output_stop(run));
     um_output_csv_time(file, run->precomputed->t_obs[k]);
     for (size_t p = 0; p < r->nplace; p++) {
-      um_output_csv_number(file, r->place[p].mean[k]);
-      um_output_csv_number(file, r->place[p].minimum[k]);
-      um_output_csv_number(file, r->place[p].maximum[k]);
+      um_core_csv_put_number(file, r->place[p].mean[k]);
+      um_core_csv_put_number(file, r->place[p].minimum[k]);
+      um_core_csv_put_number(file, r->place[p].maximum[k]);
     }
     fputc('\n', file);
   }
@@ -65,11 +63,11 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
       UM_TRY(um_output_stop(run));
       const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
       um_output_csv_time(file, run->precomputed->t_obs[k]);
-      um_output_csv_text(file, r->place[p].name, "");
+      um_core_csv_put_text(file, r->place[p].name, "");
       const double value[] = {h->solar,     h->albedo,   h->planet,    h->internal,
                               h->conducted, h->radiated, h->exchanged, h->stored};
       for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
-        um_output_csv_number(file, value[i]);
+        um_core_csv_put_number(file, value[i]);
       fputc('\n', file);
     }
   return UM_OK;

@@ -2,7 +2,6 @@
  * are the identity; its names are for people. */
 #include "study/identity.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,14 +93,12 @@ static enum um_status hold_view_factors(struct um_context *context, const struct
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(um_core_asprintf(context, &path, "%s/%s", folder, names[i]));
     UM_CHECK(um_core_file_read(context, path, LARGE, &text, &length));
-    um_core_free(context, text);
-    um_core_free(context, path);
+    UM_FREE(context, text, path);
     path = NULL;
   }
 done:
   um_core_listing_free(context, names, n);
-  um_core_free(context, path);
-  um_core_free(context, folder);
+  UM_FREE(context, path, folder);
   return status;
 }
 
@@ -142,8 +139,7 @@ done:
 void um_study_identity_destroy(struct um_context *context, struct um_study_identity **identity)
 {
   if (identity == NULL || *identity == NULL) return;
-  um_core_free(context, (*identity)->text);
-  um_core_free(context, *identity);
+  UM_FREE(context, (*identity)->text, *identity);
   *identity = NULL;
 }
 
@@ -257,8 +253,7 @@ static enum um_status check_list(struct um_context *context,
                    "no --resume",
                    folder, what);
 done:
-  um_core_free(context, path);
-  um_core_free(context, was);
+  UM_FREE(context, path, was);
   return status;
 }
 
@@ -272,25 +267,10 @@ enum um_status um_study_identity_check(struct um_context *context,
 
 static enum um_status write_list(struct um_context *context, const char *path, const char *text)
 {
-  enum um_status status;
-  char *partial = NULL;
-  FILE *file = NULL;
-  UM_TRY(um_core_file_partial(context, path, &partial));
-  file = fopen(partial, "wb");
-  if (file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", partial, strerror(errno));
-    goto done;
-  }
-  UM_CHECK(um_core_file_write(context, path, text, strlen(text), file));
-  UM_CHECK(um_core_file_sync(context, path, file));
-  UM_CHECK(um_core_file_close(context, path, &file));
-  if (rename(partial, path) != 0)
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-done:
-  if (file != NULL) fclose(file);
-  if (status != UM_OK) (void)unlink(partial);
-  um_core_free(context, partial);
-  return status;
+  struct um_core_whole_file whole;
+  UM_TRY(um_core_whole_begin(context, path, &whole));
+  return um_core_whole_end(context, &whole,
+                           um_core_file_write(context, path, text, strlen(text), whole.file));
 }
 
 enum um_status um_study_identity_open(struct um_context *context,

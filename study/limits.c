@@ -76,13 +76,12 @@ static void probabilities(const struct um_study_result *r, const struct um_study
 static void put_row(const struct um_study_result *r, const struct um_study_limit *limit,
                     const char *time, double probability, double error, FILE *file)
 {
-  char text[3][32] = {"", "", ""};
-  const double number[3] = {limit->value, probability, error};
-  for (size_t i = 0; i < 3; i++)
-    if (isfinite(number[i])) um_core_number_text(number[i], text[i]);
-  fprintf(file, "%s,", time);
-  um_core_csv_put(file, r->quantity[limit->quantity].name, "");
-  fprintf(file, ",%s,%s,%s\n", text[0], text[1], text[2]);
+  fputs(time, file);
+  um_core_csv_put_text(file, r->quantity[limit->quantity].name, "");
+  um_core_csv_put_exact(file, limit->value);
+  um_core_csv_put_exact(file, probability);
+  um_core_csv_put_exact(file, error);
+  fputs("\n", file);
 }
 
 enum um_status um_study_limits_write(struct um_context *context,
@@ -111,8 +110,7 @@ enum um_status um_study_limits_write(struct um_context *context,
               probability[q->count], error[q->count]);
   }
 done:
-  um_core_free(context, work);
-  um_core_free(context, row);
+  UM_FREE(context, work, row);
   return status;
 }
 

@@ -67,9 +67,7 @@ static bool between(const struct um_study_result *r, const struct um_study_quant
 
 static void release(struct um_context *context, struct channel *c)
 {
-  um_core_free(context, c->before);
-  um_core_free(context, c->part);
-  um_core_free(context, c->residual);
+  UM_FREE(context, c->before, c->part, c->residual);
 }
 
 static enum um_status gather(struct um_context *context, const struct um_study_result *r,
@@ -264,8 +262,6 @@ done:
 void um_study_measured_destroy(struct um_context *context, struct um_study_measured **measured)
 {
   if (measured == NULL || *measured == NULL) return;
-  um_core_free(context, (*measured)->chi2);
-  um_core_free(context, (*measured)->weight);
-  um_core_free(context, *measured);
+  UM_FREE(context, (*measured)->chi2, (*measured)->weight, *measured);
   *measured = NULL;
 }

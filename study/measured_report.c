@@ -1,5 +1,4 @@
 /* What measurements say of the points of a study, as tables and for a person. */
-#include <math.h>
 
 #include "base/core/csv.h"
 #include "base/uncertainty/statistics.h"
@@ -7,26 +6,17 @@
 
 #define FEW 20.0 /* equal points, below which a posterior rests on too little */
 
-static void put(FILE *file, double value)
-{
-  char text[32] = "";
-  if (isfinite(value)) um_core_number_text(value, text);
-  fprintf(file, ",%s", text);
-}
-
 static void points(const struct um_study_result *r, const struct um_study_measured *m, FILE *file)
 {
   fputs("point", file);
-  for (size_t i = 0; i < r->nparameter; i++) {
-    fputs(",", file);
-    um_core_csv_put(file, r->parameter_name[i], "");
-  }
+  for (size_t i = 0; i < r->nparameter; i++) um_core_csv_put_text(file, r->parameter_name[i], "");
   fputs(",chi2,weight\n", file);
   for (size_t p = 0; p < r->npoint; p++) {
     fprintf(file, "%zu", p);
-    for (size_t i = 0; i < r->nparameter; i++) put(file, r->parameter[p * r->nparameter + i]);
-    put(file, m->chi2[p]);
-    put(file, m->weight[p]);
+    for (size_t i = 0; i < r->nparameter; i++)
+      um_core_csv_put_exact(file, r->parameter[p * r->nparameter + i]);
+    um_core_csv_put_exact(file, m->chi2[p]);
+    um_core_csv_put_exact(file, m->weight[p]);
     fputs("\n", file);
   }
 }
@@ -67,14 +57,13 @@ static void parameters(const struct um_study_result *r, const struct row *row, F
         file);
   for (size_t i = 0; i < r->nparameter; i++) {
     um_core_csv_put(file, r->parameter_name[i], "");
-    fputs(",", file);
-    um_core_csv_put(file, r->parameter_unit[i], "");
-    put(file, row[i].before);
-    put(file, row[i].before_deviation);
-    put(file, row[i].after);
-    put(file, row[i].deviation);
-    for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) put(file, row[i].quantile[p]);
-    put(file, row[i].best);
+    um_core_csv_put_text(file, r->parameter_unit[i], "");
+    um_core_csv_put_exact(file, row[i].before);
+    um_core_csv_put_exact(file, row[i].before_deviation);
+    um_core_csv_put_exact(file, row[i].after);
+    um_core_csv_put_exact(file, row[i].deviation);
+    for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) um_core_csv_put_exact(file, row[i].quantile[p]);
+    um_core_csv_put_exact(file, row[i].best);
     fputs("\n", file);
   }
 }

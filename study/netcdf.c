@@ -1,6 +1,5 @@
 /* study.nc: netCDF-4 with a coordinate variable for every dimension, as xarray and others want it;
  * made in memory, so that a full disk is an error of the stream. */
-#include <math.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <stdlib.h>
@@ -147,8 +146,7 @@ static enum um_status put_axes(const struct writer *w)
   if (w->nmetric > 0) UM_CHECK(texts(w, "metric", METRIC, "what is held against", w->metric));
   UM_CHECK(put_time(w));
 done:
-  um_core_free(w->context, number);
-  um_core_free(w->context, (void *)name);
+  UM_FREE(w->context, number, (void *)name);
   return status;
 }
 
@@ -206,8 +204,7 @@ static enum um_status put_curves(const struct writer *w, const char *kind, enum 
   snprintf(words, sizeof words, "stated largest error of %s", kind);
   UM_CHECK(numbers(w, name, &axis, 1, error_units, words, error));
 done:
-  um_core_free(w->context, value);
-  um_core_free(w->context, error);
+  UM_FREE(w->context, value, error);
   return status;
 }
 
@@ -261,8 +258,6 @@ enum um_status um_study_write_netcdf(struct um_context *context,
   if (status == UM_OK)
     status = um_core_file_write(context, "study.nc", image.memory, image.size, file);
   free(image.memory);
-  um_core_free(context, (void *)w.band);
-  um_core_free(context, (void *)w.place);
-  um_core_free(context, (void *)w.metric);
+  UM_FREE(context, (void *)w.band, (void *)w.place, (void *)w.metric);
   return status;
 }

@@ -3,7 +3,6 @@
 #include "study/parameter_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/core/constants.h"
@@ -172,7 +171,6 @@ enum um_status um_study_changes_make(struct um_context *context, const struct um
 
 void um_study_changes_clear(struct um_context *context, struct um_study_changes *changes)
 {
-  um_core_free(context, changes->key);
-  um_core_free(context, changes->addition);
+  UM_FREE(context, changes->key, changes->addition);
   *changes = (struct um_study_changes){0};
 }

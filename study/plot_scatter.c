@@ -23,37 +23,28 @@ static bool drawn(const struct um_study_result *r, const struct um_study_quantit
   return metrics ? of->count == 1 : of->light || strcmp(of->unit, "mag") == 0;
 }
 
-static void put(FILE *file, double value)
-{
-  char text[32] = "";
-  if (isfinite(value)) um_core_number_text(value, text);
-  fprintf(file, ",%s", text);
-}
-
 /* point, the parameters, weight, the quantities that are drawn */
 static void write(const struct um_study_result *r, const double *weight, FILE *file)
 {
   fputs("point", file);
-  for (size_t i = 0; i < r->nparameter; i++) {
-    fputs(",", file);
-    um_core_csv_put(file, r->parameter_name[i], "");
-  }
+  for (size_t i = 0; i < r->nparameter; i++) um_core_csv_put_text(file, r->parameter_name[i], "");
   fputs(",weight", file);
   for (size_t q = 0; q < r->nquantity; q++) {
     if (!drawn(r, &r->quantity[q])) continue;
-    fputs(",", file);
-    um_core_csv_put(file, r->quantity[q].name, r->quantity[q].count > 1 ? " mean" : "");
+    um_core_csv_put_text(file, r->quantity[q].name, r->quantity[q].count > 1 ? " mean" : "");
   }
   fputs("\n", file);
   for (size_t p = 0; p < r->npoint; p++) {
     fprintf(file, "%zu", p);
-    for (size_t i = 0; i < r->nparameter; i++) put(file, r->parameter[p * r->nparameter + i]);
-    put(file, weight == NULL ? NAN : weight[p]);
+    for (size_t i = 0; i < r->nparameter; i++)
+      um_core_csv_put_exact(file, r->parameter[p * r->nparameter + i]);
+    um_core_csv_put_exact(file, weight == NULL ? NAN : weight[p]);
     for (size_t q = 0; q < r->nquantity; q++)
       if (drawn(r, &r->quantity[q]))
-        put(file,
-            um_study_statistic_of(&r->quantity[q], um_study_result_values(r, p, &r->quantity[q]),
-                                  UM_STUDY_MEAN));
+        um_core_csv_put_exact(file,
+                              um_study_statistic_of(&r->quantity[q],
+                                                    um_study_result_values(r, p, &r->quantity[q]),
+                                                    UM_STUDY_MEAN));
     fputs("\n", file);
   }
 }

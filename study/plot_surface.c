@@ -48,16 +48,13 @@ static bool rulers(const struct um_study_result *r, const struct um_study_learnt
 static void put_row(FILE *file, const struct um_study_result *r, const struct surface *s, double x,
                     double y, double value)
 {
-  char text[3][32] = {"", "", ""};
-  const double number[3] = {x, y, value};
-  for (size_t i = 0; i < 3; i++)
-    if (isfinite(number[i])) um_core_number_text(number[i], text[i]);
   um_core_csv_put(file, s->quantity->name, "");
-  fputs(",", file);
-  um_core_csv_put(file, r->parameter_name[s->x], "");
-  fputs(",", file);
-  um_core_csv_put(file, r->parameter_name[s->y], "");
-  fprintf(file, ",%s,%s,%s\n", text[0], text[1], text[2]);
+  um_core_csv_put_text(file, r->parameter_name[s->x], "");
+  um_core_csv_put_text(file, r->parameter_name[s->y], "");
+  um_core_csv_put_exact(file, x);
+  um_core_csv_put_exact(file, y);
+  um_core_csv_put_exact(file, value);
+  fputs("\n", file);
 }
 
 /* Rows of one line of the grid. value [GRID][nvalue]. */
@@ -101,8 +98,7 @@ static enum um_status on_grid(struct um_context *context, const struct um_study_
   for (size_t j = 0; j < GRID; j++) UM_CHECK(grid_line(context, r, s, j, place, value, file));
   s->last = s->first + (size_t)GRID * GRID - 1;
 done:
-  um_core_free(context, place);
-  um_core_free(context, value);
+  UM_FREE(context, place, value);
   return status;
 }
 

@@ -1,6 +1,5 @@
 /* Points of a study's design. */
 #include <limits.h>
-#include <math.h>
 
 #include "base/uncertainty/design.h"
 #include "study/study_impl.h"

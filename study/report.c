@@ -8,13 +8,6 @@
 #include "study/per_point.h"
 #include "study/rule.h"
 
-static void put(FILE *file, double value)
-{
-  char text[32] = "";
-  if (isfinite(value)) um_core_number_text(value, text);
-  fprintf(file, ",%s", text);
-}
-
 static bool is_curve(const struct um_study_result *r, const struct um_study_quantity *q)
 {
   return q->count == r->ntime && q->count > 1;
@@ -41,12 +34,14 @@ static enum um_status summary(struct um_context *context, const struct um_study_
       fprintf(file, "%s,", um_study_statistic_word(of, s));
       um_core_csv_put(file, of->unit, "");
       fprintf(file, ",%zu", l->ndone);
-      put(file, spread.nominal);
-      put(file, spread.mean);
-      put(file, spread.deviation);
-      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) put(file, spread.quantile[p]);
+      um_core_csv_put_exact(file, spread.nominal);
+      um_core_csv_put_exact(file, spread.mean);
+      um_core_csv_put_exact(file, spread.deviation);
+      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++)
+        um_core_csv_put_exact(file, spread.quantile[p]);
       for (size_t i = 0; i < r->nparameter; i++)
-        put(file, s == 0 && l->over_curve != NULL ? l->over_curve[i * r->nquantity + q] : NAN);
+        um_core_csv_put_exact(
+            file, s == 0 && l->over_curve != NULL ? l->over_curve[i * r->nquantity + q] : NAN);
       fputs("\n", file);
     }
   }
@@ -66,12 +61,12 @@ static void curves(const struct um_study_result *r, const struct um_study_learnt
       um_orbit_time_format(r->time[k], time);
       fprintf(file, "%s,", time);
       um_core_csv_put(file, of->name, "");
-      fputs(",", file);
-      um_core_csv_put(file, of->unit, "");
-      put(file, r->nominal == NULL ? NAN : r->nominal[at]);
-      put(file, l->mean[at]);
-      put(file, l->deviation[at]);
-      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) put(file, l->quantile[p * r->nvalue + at]);
+      um_core_csv_put_text(file, of->unit, "");
+      um_core_csv_put_exact(file, r->nominal == NULL ? NAN : r->nominal[at]);
+      um_core_csv_put_exact(file, l->mean[at]);
+      um_core_csv_put_exact(file, l->deviation[at]);
+      for (size_t p = 0; p < UM_STUDY_QUANTILES; p++)
+        um_core_csv_put_exact(file, l->quantile[p * r->nvalue + at]);
       fputs("\n", file);
     }
   }
@@ -96,10 +91,11 @@ static void indices(const struct um_study_result *r, const struct um_study_learn
       um_orbit_time_format(r->time[k], time);
       fprintf(file, "%s,", time);
       um_core_csv_put(file, of->name, "");
-      put(file, l->deviation[of->first + k]);
+      um_core_csv_put_exact(file, l->deviation[of->first + k]);
       for (size_t i = 0; i < r->nparameter; i++)
         for (size_t c = 0; c < 4; c++)
-          put(file, from[c] == NULL ? NAN : from[c][i * r->nvalue + of->first + k]);
+          um_core_csv_put_exact(file,
+                                from[c] == NULL ? NAN : from[c][i * r->nvalue + of->first + k]);
       fputs("\n", file);
     }
   }

@@ -1,5 +1,4 @@
 /* The summary of a study on the terminal. */
-#include <math.h>
 #include <string.h>
 
 #include "base/uncertainty/surrogate.h"

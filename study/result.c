@@ -31,29 +31,18 @@ void um_study_result_destroy(struct um_context *context, struct um_study_result 
   if (result == NULL || *result == NULL) return;
   struct um_study_result *r = *result;
   for (size_t q = 0; r->quantity != NULL && q < r->nquantity; q++) {
-    um_core_free(context, r->quantity[q].name);
-    um_core_free(context, r->quantity[q].unit);
-    um_core_free(context, r->quantity[q].of);
+    UM_FREE(context, r->quantity[q].name, r->quantity[q].unit, r->quantity[q].of);
   }
   um_core_free(context, r->quantity);
   free_texts(context, r->parameter_name, r->nparameter);
   free_texts(context, r->parameter_unit, r->nparameter);
   free_texts(context, r->reason, r->npoint);
-  um_core_free(context, r->name);
-  um_core_free(context, r->scenario);
+  UM_FREE(context, r->name, r->scenario);
   for (size_t i = 0; r->distribution != NULL && i < r->nparameter; i++)
     um_core_free(context, (void *)(uintptr_t)r->distribution[i].value);
   um_core_free(context, r->distribution);
   um_uncertainty_surrogate_destroy(context, &r->surrogate);
-  um_core_free(context, r->limit);
-  um_core_free(context, r->time);
-  um_core_free(context, r->sunlit);
-  um_core_free(context, r->coordinate);
-  um_core_free(context, r->parameter);
-  um_core_free(context, r->value);
-  um_core_free(context, r->nominal);
-  um_core_free(context, r->at_nominal);
-  um_core_free(context, r->error);
-  um_core_free(context, r);
+  UM_FREE(context, r->limit, r->time, r->sunlit, r->coordinate, r->parameter, r->value, r->nominal,
+          r->at_nominal, r->error, r);
   *result = NULL;
 }

@@ -1,11 +1,9 @@
 /* All points of a study: each one solved, or a surrogate grown from few that are. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/batch/batch.h"
 #include "base/core/digest.h"
-#include "base/core/file.h"
 #include "base/core/sort.h"
 #include "base/uncertainty/surrogate.h"
 #include "model/geometry/precompute.h"
@@ -85,11 +83,7 @@ static enum um_status solve(struct um_context *context, const struct um_study *s
     reason[place[i].point] = why[i];
   }
 done:
-  um_core_free(context, place);
-  um_core_free(context, key);
-  um_core_free(context, sorted);
-  um_core_free(context, answer);
-  um_core_free(context, (void *)why);
+  UM_FREE(context, place, key, sorted, answer, (void *)why);
   return status;
 }
 
@@ -131,8 +125,7 @@ static enum um_status evaluate(struct um_context *context, void *user, const dou
     um_core_free(context, reason[i]);
   }
 done:
-  um_core_free(context, parameter);
-  um_core_free(context, (void *)reason);
+  UM_FREE(context, parameter, (void *)reason);
   return status;
 }
 

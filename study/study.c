@@ -11,7 +11,6 @@
 #include "evidence/measurements/measurements.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
-#include "model/run/run.h"
 #include "study/study_impl.h"
 
 static enum um_status find_ways(struct um_context *context, struct um_study *study)
@@ -134,20 +133,12 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_model_destroy(context, &s->model);
   um_study_identity_destroy(context, &s->identity);
   if (s->holds_files) um_core_files_let_go(context);
-  um_core_free(context, s->way);
-  um_core_free(context, s->moves_geometry);
-  um_core_free(context, s->moves_heat);
-  um_core_free(context, s->output);
-  um_core_free(context, s->nominal);
-  um_core_free(context, s->scale);
-  um_core_free(context, s->curve);
+  UM_FREE(context, s->way, s->moves_geometry, s->moves_heat, s->output, s->nominal, s->scale,
+          s->curve, s->scenario, s->measurements);
   um_variant_accuracy_release(context, &s->accuracy);
-  um_core_free(context, s->scenario);
-  um_core_free(context, s->measurements);
   um_document_destroy(&s->document);
   um_core_free(context, s);
   *study = NULL;
 }
 
-const char *um_study_name(const struct um_study *study) { return study->file->name; }
 const char *um_study_measurements(const struct um_study *study) { return study->measurements; }

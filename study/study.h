@@ -27,7 +27,6 @@ enum um_status um_study_create(struct um_context *context, const char *path,
                                const struct um_study_run_options *options, struct um_study **out);
 /* Accepts NULL, sets NULL. */
 void um_study_destroy(struct um_context *context, struct um_study **study);
-const char *um_study_name(const struct um_study *study);
 /* Path of the measurements that points are held against; NULL: none. */
 const char *um_study_measurements(const struct um_study *study);
 

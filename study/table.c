@@ -4,14 +4,6 @@
 #include "base/core/csv.h"
 #include "study/study.h"
 
-static void number(FILE *file, double value)
-{
-  if (isfinite(value))
-    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value);
-  else
-    fputc(',', file);
-}
-
 /* Least, mean and largest of what is seen. */
 static void extremes(const double *value, size_t n, double out[3])
 {
@@ -31,26 +23,22 @@ void um_study_write_points(const struct um_study_result *r, FILE *file)
 {
   static const char *const tail[] = {":least", ":mean", ":largest"};
   fputs("point", file);
-  for (size_t j = 0; j < r->nparameter; j++) {
-    fputc(',', file);
-    um_core_csv_put(file, r->parameter_name[j], "");
-  }
+  for (size_t j = 0; j < r->nparameter; j++) um_core_csv_put_text(file, r->parameter_name[j], "");
   for (size_t q = 0; q < r->nquantity; q++)
-    for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++) {
-      fputc(',', file);
-      um_core_csv_put(file, r->quantity[q].name, r->quantity[q].count > 1 ? tail[e] : "");
-    }
+    for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++)
+      um_core_csv_put_text(file, r->quantity[q].name, r->quantity[q].count > 1 ? tail[e] : "");
   fputs(",reason\n", file);
   for (size_t i = 0; i < r->npoint; i++) {
     fprintf(file, "%zu", i);
-    for (size_t j = 0; j < r->nparameter; j++) number(file, r->parameter[i * r->nparameter + j]);
+    for (size_t j = 0; j < r->nparameter; j++)
+      um_core_csv_put_number(file, r->parameter[i * r->nparameter + j]);
     for (size_t q = 0; q < r->nquantity; q++) {
       double of[3];
       extremes(um_study_result_values(r, i, &r->quantity[q]), r->quantity[q].count, of);
-      for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++) number(file, of[e]);
+      for (int e = 0; e < (r->quantity[q].count > 1 ? 3 : 1); e++)
+        um_core_csv_put_number(file, of[e]);
     }
-    fputc(',', file);
-    um_core_csv_put(file, r->reason[i] != NULL ? r->reason[i] : "", "");
+    um_core_csv_put_text(file, r->reason[i] != NULL ? r->reason[i] : "", "");
     fputc('\n', file);
   }
 }

@@ -36,17 +36,6 @@ struct stage {
   struct um_optics_lightcurve *curve;
 };
 
-/* A library under the Sun of every default. */
-static enum um_status library_create(struct um_context *context,
-                                     struct um_materials_library **library)
-{
-  struct um_environment environment;
-  struct um_materials_sun sun;
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  return um_materials_library_create(context, &sun, library);
-}
-
 /* The product's grey panel with other numbers: Lambert reflectance, F of the lobe, its alpha,
  * emittance. */
 static enum um_status stage_grey(struct stage *s, double diffuse, double specular, double alpha,
@@ -65,12 +54,11 @@ static enum um_status stage_grey(struct stage *s, double diffuse, double specula
   for (int i = 0; i < 6; i++) overrides[i] = text[i];
   UM_CHECK(um_materials_library_folder(s->context, &folder));
   UM_CHECK(um_core_asprintf(s->context, &path, "%s/grey_panel.yaml", folder));
-  UM_CHECK(library_create(s->context, &s->library));
+  UM_CHECK(um_environment_library_create(s->context, false, &s->library));
   UM_CHECK(um_materials_library_read_file(s->context, s->library, path, overrides, 6));
   s->record = um_materials_library_find(s->library, "skin");
 done:
-  um_core_free(s->context, path);
-  um_core_free(s->context, folder);
+  UM_FREE(s->context, path, folder);
   return status;
 }
 
@@ -131,9 +119,7 @@ static void stage_end(struct stage *s)
 {
   um_optics_lightcurve_destroy(s->context, &s->curve);
   um_optics_view_destroy(s->context, &s->view);
-  um_core_free(s->context, s->temperature);
-  um_core_free(s->context, s->albedo);
-  um_core_free(s->context, s->view_factor);
+  UM_FREE(s->context, s->temperature, s->albedo, s->view_factor);
   um_geometry_destroy(&s->geometry);
   um_materials_library_destroy(&s->library);
   memset(s, 0, sizeof *s);
@@ -363,7 +349,7 @@ static enum um_status isothermal(struct um_context *context, struct um_validate_
     char *folder = NULL;
     enum um_status status;
     UM_CHECK(um_materials_library_folder(context, &folder));
-    UM_CHECK(library_create(context, &s.library));
+    UM_CHECK(um_environment_library_create(context, false, &s.library));
     UM_CHECK(um_materials_library_read_folder(context, s.library, folder));
     s.record = um_materials_library_find(s.library, row[k].material);
     UM_CHECK(stage_set(&s, context, &shape, 1));

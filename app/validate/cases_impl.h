@@ -5,19 +5,10 @@
 #include "app/validate/validate.h"
 
 /* The thermal half. */
-enum um_status um_validate_conduction(struct um_context *context,
-                                      struct um_validate_report *report);
-enum um_status um_validate_radiation(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_networks(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_inside(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_orbiting(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_view_factors(struct um_context *context,
-                                        struct um_validate_report *report);
+um_validate_cases um_validate_conduction, um_validate_radiation, um_validate_networks,
+    um_validate_inside, um_validate_orbiting, um_validate_view_factors;
 
 /* The optical half. */
-enum um_status um_validate_radiometry(struct um_context *context,
-                                      struct um_validate_report *report);
-enum um_status um_validate_surfaces(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_bodies(struct um_context *context, struct um_validate_report *report);
+um_validate_cases um_validate_radiometry, um_validate_surfaces, um_validate_bodies;
 
 #endif

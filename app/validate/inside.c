@@ -6,7 +6,6 @@
 
 #include "app/validate/cases_impl.h"
 #include "app/validate/thermal_case_impl.h"
-#include "base/core/constants.h"
 #include "thermal/exchange/exchange.h"
 #include "thermal/network/body.h"
 

@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/core/json.h"
 
@@ -60,8 +59,7 @@ static void print_json(const struct um_validate_report *report)
     const struct row *r = &report->row[i];
     printf("  {\"group\": \"%s\", \"name\": ", r->group);
     um_core_json_string(stdout, r->name);
-    printf(", \"unit\": ");
-    um_core_json_string(stdout, r->unit);
+    um_core_json_text(stdout, ", ", "unit", r->unit);
     printf(", \"expected\": %.17g, ", r->expected);
     if (isfinite(r->computed))
       printf("\"computed\": %.17g", r->computed);
@@ -88,8 +86,7 @@ enum um_status um_validate_report_create(struct um_context *context,
 void um_validate_report_destroy(struct um_context *context, struct um_validate_report **report)
 {
   if (report == NULL || *report == NULL) return;
-  um_core_free(context, (*report)->row);
-  um_core_free(context, *report);
+  UM_FREE(context, (*report)->row, *report);
   *report = NULL;
 }
 

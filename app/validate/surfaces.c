@@ -174,15 +174,8 @@ static enum um_status sheets(struct um_context *context, struct um_validate_repo
              {"150 um silica on Ag, normal, 2-20 um", "osr", 2e-6, 20e-6, 0.865, 0.008},
              {"150 um silica on Ag, normal, 8-13 um", "osr", 8e-6, 13e-6, 0.770, 0.008}};
   struct um_materials_library *library = NULL;
-  char *folder = NULL;
   enum um_status status;
-  struct um_environment environment;
-  struct um_materials_sun sun;
-  um_environment_defaults(&environment);
-  um_environment_sun_shares(&environment, &sun);
-  UM_CHECK(um_materials_library_create(context, &sun, &library));
-  UM_CHECK(um_materials_library_folder(context, &folder));
-  UM_CHECK(um_materials_library_read_folder(context, library, folder));
+  UM_CHECK(um_environment_library_create(context, true, &library));
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     const struct um_materials_record *record = um_materials_library_find(library, row[i].material);
     um_validate_report_add(report, row[i].name, "1", row[i].expected,
@@ -190,7 +183,6 @@ static enum um_status sheets(struct um_context *context, struct um_validate_repo
                            row[i].tolerance, "refractiveindex.info");
   }
 done:
-  um_core_free(context, folder);
   um_materials_library_destroy(&library);
   return status;
 }

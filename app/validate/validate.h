@@ -28,10 +28,7 @@ enum um_status um_validate_report_fill(struct um_validate_report *report, const 
 size_t um_validate_report_print(const struct um_validate_report *report, bool json);
 
 /* Fill the report; each case is computed by the library at the time of the call. */
-enum um_status um_validate_orbit(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_environment(struct um_context *context,
-                                       struct um_validate_report *report);
-enum um_status um_validate_thermal(struct um_context *context, struct um_validate_report *report);
-enum um_status um_validate_optics(struct um_context *context, struct um_validate_report *report);
+um_validate_cases um_validate_orbit, um_validate_environment, um_validate_thermal,
+    um_validate_optics;
 
 #endif

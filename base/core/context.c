@@ -181,6 +181,11 @@ void um_core_free(struct um_context *context, void *block)
   if (block != NULL) context->allocator.release(context->allocator.self, block);
 }
 
+void um_core_free_blocks(struct um_context *context, size_t n, void *const *block)
+{
+  for (size_t i = 0; i < n; i++) um_core_free(context, block[i]);
+}
+
 enum um_status um_core_strdup(struct um_context *context, const char *text, char **out)
 {
   size_t n = strlen(text) + 1;

@@ -74,6 +74,11 @@ enum um_status um_core_reallocate(struct um_context *context, size_t count, size
                                   void *block);
 /* Accepts NULL. */
 void um_core_free(struct um_context *context, void *block);
+void um_core_free_blocks(struct um_context *context, size_t n, void *const *block);
+/* um_core_free of each pointer behind `context`; all are read before the first is freed. */
+#define UM_FREE(context, ...)                                                                      \
+  um_core_free_blocks(context, sizeof((void *[]){__VA_ARGS__}) / sizeof(void *),                   \
+                      (void *[]){__VA_ARGS__})
 /* Copy of a string; the caller frees. */
 enum um_status um_core_strdup(struct um_context *context, const char *text, char **out);
 /* printf into new memory; the caller frees. */

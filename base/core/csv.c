@@ -219,11 +219,7 @@ void um_core_csv_destroy(struct um_core_csv **csv)
 {
   if (csv == NULL || *csv == NULL) return;
   struct um_context *context = (*csv)->context;
-  um_core_free(context, (*csv)->name);
-  um_core_free(context, (*csv)->text);
-  um_core_free(context, (*csv)->fields);
-  um_core_free(context, (*csv)->lines);
-  um_core_free(context, *csv);
+  UM_FREE(context, (*csv)->name, (*csv)->text, (*csv)->fields, (*csv)->lines, *csv);
   *csv = NULL;
 }
 

@@ -48,6 +48,11 @@ enum um_status um_core_csv_fail(struct um_context *context, const struct um_core
  * '?' stands for control characters and bytes that are no UTF-8. Every free text of every table is
  * written by this. Errors of writing are the stream's. */
 void um_core_csv_put(FILE *file, const char *text, const char *tail);
+/* The next fields of a row, a comma before them: a text as above, a number with nine significant
+ * digits, or with as few as read back the same; empty for what is not finite. */
+void um_core_csv_put_text(FILE *file, const char *text, const char *tail);
+void um_core_csv_put_number(FILE *file, double value);
+void um_core_csv_put_exact(FILE *file, double value);
 
 /* The shortest text that is read back as the same finite number. Does not fail. */
 void um_core_number_text(double value, char out[32]);

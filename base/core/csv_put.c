@@ -1,4 +1,5 @@
 /* Fields of tables that are written (RFC 4180). */
+#include <math.h>
 #include <string.h>
 
 #include "base/core/csv.h"
@@ -36,4 +37,25 @@ void um_core_csv_put(FILE *file, const char *text, const char *tail)
   put_inside(file, text);
   put_inside(file, tail);
   if (quoted) fputc('"', file);
+}
+
+void um_core_csv_put_text(FILE *file, const char *text, const char *tail)
+{
+  fputc(',', file);
+  um_core_csv_put(file, text, tail);
+}
+
+void um_core_csv_put_number(FILE *file, double value)
+{
+  if (!isfinite(value))
+    fputc(',', file);
+  else
+    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
+}
+
+void um_core_csv_put_exact(FILE *file, double value)
+{
+  char text[32] = "";
+  if (isfinite(value)) um_core_number_text(value, text);
+  fprintf(file, ",%s", text);
 }

@@ -117,3 +117,35 @@ enum um_status um_core_file_partial(struct um_context *context, const char *path
   return um_core_asprintf(context, out, "%.*s.%s.partial-%ld", (int)(name - path), path, name,
                           (long)getpid());
 }
+
+enum um_status um_core_file_create(struct um_context *context, const char *path, FILE **out)
+{
+  *out = fopen(path, "wb");
+  if (*out != NULL) return UM_OK;
+  return um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", path, strerror(errno));
+}
+
+enum um_status um_core_whole_begin(struct um_context *context, const char *path,
+                                   struct um_core_whole_file *out)
+{
+  *out = (struct um_core_whole_file){.path = path};
+  UM_TRY(um_core_file_partial(context, path, &out->partial));
+  um_core_file_leftovers_remove(context, path);
+  out->file = fopen(out->partial, "wb");
+  if (out->file != NULL) return UM_OK;
+  um_core_free(context, out->partial);
+  return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
+}
+
+enum um_status um_core_whole_end(struct um_context *context, struct um_core_whole_file *whole,
+                                 enum um_status status)
+{
+  if (status == UM_OK) status = um_core_file_sync(context, whole->path, whole->file);
+  enum um_status closed = um_core_file_close(context, whole->path, &whole->file);
+  if (status == UM_OK) status = closed;
+  if (status == UM_OK && rename(whole->partial, whole->path) != 0)
+    status = um_core_fail(context, UM_ERR_IO, "%s: %s", whole->path, strerror(errno));
+  if (status != UM_OK) (void)remove(whole->partial);
+  um_core_free(context, whole->partial);
+  return status;
+}

@@ -32,6 +32,8 @@ const char *um_core_folder_path(const struct um_core_folder *folder);
 /* Open a plain file name inside for writing; the caller closes with um_core_file_close. */
 enum um_status um_core_folder_open(struct um_context *context, struct um_core_folder *folder,
                                    const char *name, FILE **out);
+/* Open a file for writing. UM_ERR_IO with path and reason; *out is NULL then. */
+enum um_status um_core_file_create(struct um_context *context, const char *path, FILE **out);
 /* Write all of it. UM_ERR_IO with the name and the reason. */
 enum um_status um_core_file_write(struct um_context *context, const char *name, const void *bytes,
                                   size_t n, FILE *file);
@@ -43,6 +45,21 @@ enum um_status um_core_file_sync(struct um_context *context, const char *name, F
 enum um_status um_core_file_partial(struct um_context *context, const char *path, char **out);
 /* Remove ".name.partial-<pid>..." beside `path` of processes that have died. Does not fail. */
 void um_core_file_leftovers_remove(struct um_context *context, const char *path);
+
+/* A file that appears whole: written beside `path` (borrowed), renamed at the end. */
+struct um_core_whole_file {
+  FILE *file;
+  const char *path;
+  char *partial;
+};
+/* What dead processes left beside `path` is removed. UM_ERR_IO; there is nothing to end then. */
+enum um_status um_core_whole_begin(struct um_context *context, const char *path,
+                                   struct um_core_whole_file *out);
+/* The file takes its name, on the disk, where `status` is UM_OK, else it is removed. Returns
+ * `status`, or UM_ERR_IO of what failed here. */
+enum um_status um_core_whole_end(struct um_context *context, struct um_core_whole_file *whole,
+                                 enum um_status status);
+
 /* The folder takes its name, whole and on the disk; UM_ERR_CANCELLED when a stop was asked for. */
 enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder);
 /* Accepts NULL, sets NULL. */

@@ -212,9 +212,7 @@ enum um_status um_core_folder_open(struct um_context *context, struct um_core_fo
                         "'%s' cannot name an output file; accepted: a name without '/'", name);
   char *path;
   UM_TRY(um_core_asprintf(context, &path, "%s/%s", folder->partial, name));
-  *out = fopen(path, "wb");
-  enum um_status status = UM_OK;
-  if (*out == NULL) status = fail_errno(context, path, "cannot be written");
+  enum um_status status = um_core_file_create(context, path, out);
   um_core_free(context, path);
   return status;
 }
@@ -281,8 +279,6 @@ void um_core_folder_abort(struct um_core_folder **folder)
   if (f->partial != NULL) (void)um_core_tree_remove(f->partial);
   if (f->lock >= 0) close(f->lock);
   if (f->target != NULL) remove_parents(f);
-  um_core_free(f->context, f->partial);
-  um_core_free(f->context, f->target);
-  um_core_free(f->context, f);
+  UM_FREE(f->context, f->partial, f->target, f);
   *folder = NULL;
 }

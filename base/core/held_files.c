@@ -69,11 +69,9 @@ void um_core_files_let_go(struct um_context *context)
   struct um_core_held_files **held = um_core_context_held_files(context), *h = *held;
   if (h == NULL || --h->holders > 0) return;
   for (size_t i = 0; i < h->count; i++) {
-    um_core_free(context, h->file[i].path);
-    um_core_free(context, h->file[i].text);
+    UM_FREE(context, h->file[i].path, h->file[i].text);
   }
-  um_core_free(context, h->file);
-  um_core_free(context, h);
+  UM_FREE(context, h->file, h);
   *held = NULL;
 }
 
@@ -91,8 +89,7 @@ void um_core_file_forget(struct um_context *context, const char *path)
   struct um_core_held_files *h = *um_core_context_held_files(context);
   struct held *file = find(h, path);
   if (file == NULL) return;
-  um_core_free(context, file->path);
-  um_core_free(context, file->text);
+  UM_FREE(context, file->path, file->text);
   *file = h->file[--h->count];
 }
 
@@ -143,8 +140,7 @@ static enum um_status append(struct um_context *context, const char *path, struc
   note_use(h, &h->file[h->count - 1]);
   return UM_OK;
 done:
-  um_core_free(context, file.path);
-  um_core_free(context, file.text);
+  UM_FREE(context, file.path, file.text);
   return status;
 }
 

@@ -33,3 +33,17 @@ void um_core_json_field(FILE *file, const char *before, const char *key, double 
   fprintf(file, "%s\"%s\": ", before, key);
   um_core_json_number(file, value);
 }
+
+void um_core_json_text(FILE *file, const char *before, const char *key, const char *text)
+{
+  fprintf(file, "%s\"%s\": ", before, key);
+  if (text == NULL)
+    fputs("null", file);
+  else
+    um_core_json_string(file, text);
+}
+
+void um_core_json_bool(FILE *file, const char *before, const char *key, bool value)
+{
+  fprintf(file, "%s\"%s\": %s", before, key, value ? "true" : "false");
+}

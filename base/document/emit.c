@@ -1,7 +1,7 @@
 /* A tree of nodes as YAML text. */
 #include <string.h>
 
-#include "base/document/emit_impl.h"
+#include "base/document/document_impl.h"
 
 enum um_status um_document_emit_bytes(struct um_emitter *b, const char *text, size_t length)
 {

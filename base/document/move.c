@@ -5,7 +5,6 @@
 
 #include "base/core/file.h"
 #include "base/document/document_impl.h"
-#include "base/document/schema_check_impl.h"
 
 struct move {
   struct um_context *context;
@@ -79,8 +78,7 @@ static enum um_status move_name(struct move *m, struct um_node *node)
   node->plain = node->plain && strpbrk(text, " :#,[]{}&*!|>'\"%@`") == NULL;
   m->document->set_count++;
 done:
-  um_core_free(m->context, path);
-  um_core_free(m->context, text);
+  UM_FREE(m->context, path, text);
   return status;
 }
 

@@ -10,8 +10,6 @@
 
 #include "base/core/words.h"
 #include "base/document/document_impl.h"
-#include "base/document/override_impl.h"
-#include "base/document/yaml_impl.h"
 
 #define NEXT "+" /* the element behind the last one of a list */
 

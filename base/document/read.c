@@ -3,9 +3,7 @@
 #include <string.h>
 
 #include "base/core/file.h"
-#include "base/document/override_impl.h"
-#include "base/document/schema_bind_impl.h"
-#include "base/document/yaml_impl.h"
+#include "base/document/document_impl.h"
 
 #define DOCUMENT_BYTES_MAX ((size_t)2 << 20) /* the library takes 250 times as much */
 #define LABEL_LONGEST      256               /* in a path [bytes] */

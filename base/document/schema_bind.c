@@ -7,8 +7,6 @@
 #include "base/core/csv.h"
 #include "base/core/words.h"
 #include "base/document/document_impl.h"
-#include "base/document/schema_bind_impl.h"
-#include "base/document/schema_check_impl.h"
 
 struct binder {
   struct um_document *document;

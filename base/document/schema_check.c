@@ -3,7 +3,6 @@
 
 #include "base/core/words.h"
 #include "base/document/document_impl.h"
-#include "base/document/schema_check_impl.h"
 
 const struct um_schema_field *um_document_schema_find(const struct um_schema_object *object,
                                                       const char *key)

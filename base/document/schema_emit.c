@@ -1,6 +1,5 @@
 /* The reference page (Markdown) of a schema: one section per kind of mapping, in order of first
  * mention. */
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 

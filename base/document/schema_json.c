@@ -10,12 +10,6 @@
 static bool write_object(FILE *file, const struct um_schema_object *object, const char *help,
                          int depth);
 
-static void write_member(FILE *file, const char *key, const char *text)
-{
-  fprintf(file, ", \"%s\": ", key);
-  um_core_json_string(file, text);
-}
-
 /* {"type": "number", "minimum": ..., "maximum": ...} without the closing brace */
 static void open_number(FILE *file, const struct um_schema_field *field, const char *type)
 {
@@ -40,7 +34,7 @@ static void write_default(FILE *file, const struct um_schema_field *field)
   else if (field->type == UM_SCHEMA_BOOL)
     fprintf(file, ", \"default\": %s", value != 0.0 ? "true" : "false");
   else if (field->type == UM_SCHEMA_CHOICE)
-    write_member(file, "default", field->choices[(int)value]);
+    um_core_json_text(file, ", ", "default", field->choices[(int)value]);
 }
 
 /* YAML reads an unquoted text like 12 as a number; a text accepts it. */
@@ -77,7 +71,7 @@ static bool write_field(FILE *file, const struct um_schema_field *field, int dep
   case UM_SCHEMA_TEXT:
   case UM_SCHEMA_PARSED:
     fputs(TEXT_TYPES, file);
-    if (field->name) write_member(file, "pattern", NAME_PATTERN);
+    if (field->name) um_core_json_text(file, ", ", "pattern", NAME_PATTERN);
     break;
   case UM_SCHEMA_CHOICE:
     fputs("{\"enum\": [", file);
@@ -100,7 +94,7 @@ static bool write_field(FILE *file, const struct um_schema_field *field, int dep
     break;
   case UM_SCHEMA_TEXTS:
     fputs("{\"type\": \"array\", \"items\": " TEXT_TYPES, file);
-    if (field->name) write_member(file, "pattern", NAME_PATTERN);
+    if (field->name) um_core_json_text(file, ", ", "pattern", NAME_PATTERN);
     fputs("}", file);
     write_most(file, field, "maxItems");
     break;
@@ -118,7 +112,7 @@ static bool write_field(FILE *file, const struct um_schema_field *field, int dep
     break;
   }
   write_default(file, field);
-  if (field->help != NULL) write_member(file, "description", field->help);
+  if (field->help != NULL) um_core_json_text(file, ", ", "description", field->help);
   fputs("}", file);
   return good;
 }
@@ -195,9 +189,9 @@ static bool write_members(FILE *file, const struct um_schema_object *object, con
 {
   if (depth > DEPTH_MAX) return false;
   fputs("\"type\": \"object\"", file);
-  write_member(file, "title", object->name);
+  um_core_json_text(file, ", ", "title", object->name);
   if (help == NULL) help = object->help;
-  if (help != NULL) write_member(file, "description", help);
+  if (help != NULL) um_core_json_text(file, ", ", "description", help);
   fputs(", \"properties\": {", file);
   const struct um_schema_field *rest = NULL;
   bool first = true;

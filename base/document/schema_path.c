@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "base/core/words.h"
-#include "base/document/schema_check_impl.h"
+#include "base/document/document_impl.h"
 
 #define DEPTH_MAX 12
 #define PATH_SIZE 256

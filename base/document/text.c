@@ -7,8 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "base/document/emit_impl.h"
-#include "base/document/yaml_impl.h"
+#include "base/document/document_impl.h"
 
 struct edit {
   size_t from, to;   /* bytes of the source to be replaced */
@@ -207,8 +206,7 @@ static enum um_status edit_source(const struct um_document *document, struct um_
   }
 done:
   um_document_destroy(&scratch);
-  um_core_free(context, e.pool.text);
-  um_core_free(context, e.list);
+  UM_FREE(context, e.pool.text, e.list);
   return status;
 }
 

@@ -6,7 +6,6 @@
 
 #include "base/core/digest.h"
 #include "base/document/document_impl.h"
-#include "base/document/yaml_impl.h"
 
 struct loader {
   struct um_document *document;

@@ -99,12 +99,7 @@ done:
 void um_inference_qr_destroy(struct um_context *context, struct um_inference_qr **qr)
 {
   if (*qr == NULL) return;
-  um_core_free(context, (*qr)->a);
-  um_core_free(context, (*qr)->tau);
-  um_core_free(context, (*qr)->norm);
-  um_core_free(context, (*qr)->scale);
-  um_core_free(context, (*qr)->order);
-  um_core_free(context, *qr);
+  UM_FREE(context, (*qr)->a, (*qr)->tau, (*qr)->norm, (*qr)->scale, (*qr)->order, *qr);
   *qr = NULL;
 }
 

@@ -54,16 +54,14 @@ enum um_status um_inference_system_create(struct um_context *context,
   memcpy(out->y, right, n * sizeof *right);
   out->rest = um_inference_dot(total - n, right + n, right + n);
 done:
-  um_core_free(context, column);
-  um_core_free(context, right);
+  UM_FREE(context, column, right);
   um_inference_qr_destroy(context, &qr);
   return status;
 }
 
 void um_inference_system_release(struct um_context *context, struct um_inference_system *system)
 {
-  um_core_free(context, system->r);
-  um_core_free(context, system->y);
+  UM_FREE(context, system->r, system->y);
   *system = (struct um_inference_system){0};
 }
 
@@ -100,12 +98,7 @@ static enum um_status search_create(struct um_context *context,
 
 static void search_release(struct um_context *context, struct search *s)
 {
-  um_core_free(context, s->column);
-  um_core_free(context, s->right);
-  um_core_free(context, s->error);
-  um_core_free(context, s->part);
-  um_core_free(context, s->target);
-  um_core_free(context, s->fixed);
+  UM_FREE(context, s->column, s->right, s->error, s->part, s->target, s->fixed);
 }
 
 /* error = right - A u over the fixed unknowns, or over all. */

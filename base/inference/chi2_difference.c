@@ -37,8 +37,7 @@ static enum um_status against(struct um_context *context, size_t nleft, const do
   size_t rank = um_inference_qr_rank(qr);
   *out = um_inference_dot(total - rank, rotated + rank, rotated + rank);
 done:
-  um_core_free(context, column);
-  um_core_free(context, rotated);
+  UM_FREE(context, column, rotated);
   um_inference_qr_destroy(context, &qr);
   return status;
 }
@@ -64,8 +63,7 @@ um_inference_chi2_difference(struct um_context *context, size_t nobservation, co
     UM_CHECK(against(context, projection.nleft, s, &direction[i], left, &out[i]));
   }
 done:
-  um_core_free(context, s);
-  um_core_free(context, left);
+  UM_FREE(context, s, left);
   um_inference_projection_destroy(context, &projection);
   return status;
 }

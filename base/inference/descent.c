@@ -26,7 +26,6 @@
 
 #include "base/inference/algebra.h"
 #include "base/inference/bounded_impl.h"
-#include "base/inference/jacobian_impl.h"
 #include "base/inference/policy.h"
 
 #define LOST         10.0 /* e, that noise of the model may hide */

@@ -1,5 +1,5 @@
 /* Where a fit stands: its memory, its priors, and what is not worth a run. */
-#include "base/inference/descent_state_impl.h"
+#include "base/inference/descent_impl.h"
 #include "base/inference/policy.h"
 
 #include <math.h>

@@ -110,9 +110,7 @@ static enum um_status find_covariance(struct um_context *context,
     if (fit->at_bound[j]) fit->sigma[j] = NAN;
   }
 done:
-  um_core_free(context, column);
-  um_core_free(context, work);
-  um_core_free(context, determined);
+  UM_FREE(context, column, work, determined);
   um_inference_qr_destroy(context, &qr);
   return status;
 }
@@ -145,14 +143,8 @@ done:
 void um_inference_fit_destroy(struct um_context *context, struct um_inference_fit **fit)
 {
   if (*fit == NULL) return;
-  um_core_free(context, (*fit)->x);
-  um_core_free(context, (*fit)->sigma);
-  um_core_free(context, (*fit)->covariance);
-  um_core_free(context, (*fit)->at_bound);
-  um_core_free(context, (*fit)->value);
-  um_core_free(context, (*fit)->residual);
-  um_core_free(context, (*fit)->jacobian);
-  um_core_free(context, *fit);
+  UM_FREE(context, (*fit)->x, (*fit)->sigma, (*fit)->covariance, (*fit)->at_bound, (*fit)->value,
+          (*fit)->residual, (*fit)->jacobian, *fit);
   *fit = NULL;
 }
 

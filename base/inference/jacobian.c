@@ -6,8 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/inference/algebra.h"
-#include "base/inference/jacobian_impl.h"
+#include "base/inference/descent_impl.h"
 
 #define BEND_MAX  0.05 /* share of the change of the residuals that J may miss */
 #define NOT_MOVED 3.0  /* change of the residuals that is no move, in roots of the tolerance */

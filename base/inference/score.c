@@ -107,8 +107,7 @@ static enum um_status test_one(struct um_context *context, struct um_inference_p
     keep_unit(qr, d, left, p->nleft, member);
   }
 done:
-  um_core_free(context, left);
-  um_core_free(context, rotated);
+  UM_FREE(context, left, rotated);
   um_inference_qr_destroy(context, &qr);
   return status;
 }
@@ -182,9 +181,7 @@ enum um_status um_inference_score_test(struct um_context *context, size_t nobser
   correct(ndirection, member, out, order);
 done:
   for (size_t i = 0; member != NULL && i < ndirection; i++) um_core_free(context, member[i].unit);
-  um_core_free(context, member);
-  um_core_free(context, order);
-  um_core_free(context, r);
+  UM_FREE(context, member, order, r);
   um_inference_projection_destroy(context, &projection);
   return status;
 }

@@ -1,7 +1,6 @@
 /* A script from its first line to the pictures. */
 #include "base/plot/plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -24,11 +23,7 @@ enum um_status um_plot_create(struct um_context *context, const char *folder, co
   UM_CHECK(um_core_strdup(context, folder, &plot->folder));
   UM_CHECK(um_core_strdup(context, script, &plot->script));
   UM_CHECK(um_core_asprintf(context, &plot->path, "%s/%s", folder, script));
-  plot->file = fopen(plot->path, "wb");
-  if (plot->file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", plot->path, strerror(errno));
-    goto done;
-  }
+  UM_CHECK(um_core_file_create(context, plot->path, &plot->file));
   fputs("# Pictures by gnuplot from the files beside this one. kind: png, svg or pdf, as in\n"
         "#   gnuplot -e \"kind='pdf'\" FILE\n"
         "if (!exists('kind')) kind = 'png'\n"
@@ -45,10 +40,7 @@ void um_plot_destroy(struct um_context *context, struct um_plot **plot)
 {
   if (plot == NULL || *plot == NULL) return;
   if ((*plot)->file != NULL) fclose((*plot)->file);
-  um_core_free(context, (*plot)->folder);
-  um_core_free(context, (*plot)->script);
-  um_core_free(context, (*plot)->path);
-  um_core_free(context, *plot);
+  UM_FREE(context, (*plot)->folder, (*plot)->script, (*plot)->path, *plot);
   *plot = NULL;
 }
 

@@ -90,8 +90,7 @@ enum um_status um_plot_range(struct um_context *context, const struct um_plot_va
     count[i] = sort_finite(set[i].value, set[i].n, v + n);
   range_of(set, nset, v, count, anchor, stretch, out);
 done:
-  um_core_free(context, v);
-  um_core_free(context, count);
+  UM_FREE(context, v, count);
   return status;
 }
 

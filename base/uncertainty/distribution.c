@@ -156,40 +156,6 @@ double um_uncertainty_distribution_value(law *l, double u)
   return x < least ? least : x > largest ? largest : x;
 }
 
-static double list_share(law *l, double value)
-{
-  size_t nearest = 0;
-  for (size_t i = 1; i < l->nvalue; i++)
-    if (fabs(l->value[i] - value) < fabs(l->value[nearest] - value)) nearest = i;
-  return ((double)nearest + 0.5) / (double)l->nvalue;
-}
-
-double um_uncertainty_distribution_share(law *l, double value)
-{
-  double least, largest, width;
-  um_uncertainty_distribution_ends(l, &least, &largest);
-  if (l->kind == UM_UNCERTAINTY_LIST) return list_share(l, value);
-  if (value <= least) return 0.0;
-  if (value >= largest) return 1.0;
-  width = largest - least;
-  switch (l->kind) {
-  case UM_UNCERTAINTY_UNIFORM:
-  case UM_UNCERTAINTY_LOG_UNIFORM:
-    return um_uncertainty_distribution_place(l, value);
-  case UM_UNCERTAINTY_TRIANGULAR:
-    return value < l->mode
-               ? (value - least) * (value - least) / (width * (l->mode - least))
-               : 1.0 - (largest - value) * (largest - value) / (width * (largest - l->mode));
-  case UM_UNCERTAINTY_NORMAL:
-  case UM_UNCERTAINTY_LOG_NORMAL:
-    return between(standard(l, least), standard(l, value)) /
-           between(standard(l, least), standard(l, largest));
-  case UM_UNCERTAINTY_LIST:
-    break;
-  }
-  return NAN;
-}
-
 double um_uncertainty_distribution_place(law *l, double value)
 {
   double least, largest;

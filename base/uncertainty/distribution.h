@@ -39,9 +39,6 @@ void um_uncertainty_distribution_ends(const struct um_uncertainty_distribution *
  * the ends. Of a list value i for u in [i, i + 1) / nvalue. Relative error 1e-12. */
 double um_uncertainty_distribution_value(const struct um_uncertainty_distribution *distribution,
                                          double u);
-/* And back: the share below a value; of a list the middle of the share of its nearest value. */
-double um_uncertainty_distribution_share(const struct um_uncertainty_distribution *distribution,
-                                         double value);
 
 /* Place of a value between its ends on a scale on which a smooth model stays smooth: linear, or in
  * the logarithm for the two logarithmic ones; 0 at the least, 1 at the largest value. This, not u,

@@ -31,15 +31,6 @@ enum um_status um_uncertainty_sobol_indices(struct um_context *context, size_t d
                                             size_t nvalue, const double *value,
                                             struct um_uncertainty_sobol *out);
 
-/* value [n][nvalue] at u [n][d]; errors are passed on; what fails is NaN. */
-typedef enum um_status um_uncertainty_function(struct um_context *context, void *user,
-                                               const double *u, size_t n, double *value);
-/* The same of a function, in blocks of rows, so that n (d + 2) nvalue numbers are never held. */
-enum um_status um_uncertainty_sobol_of(struct um_context *context, size_t d, size_t n,
-                                       size_t nvalue, uint64_t seed,
-                                       um_uncertainty_function *function, void *user,
-                                       struct um_uncertainty_sobol *out);
-
 /* Elementary effects (Morris 1991; mu* of Campolongo, Cariboni & Saltelli 2007, Environ. Model.
  * Softw. 22:1509), each [d][nvalue], per whole range of the parameter; any may be NULL. */
 struct um_uncertainty_morris {

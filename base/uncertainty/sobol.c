@@ -7,10 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/uncertainty/design.h"
 #include "base/uncertainty/indices.h"
-
-#define BLOCK_NUMBERS 4000000 /* of a function's values held at a time */
 
 struct sums {
   size_t d, nvalue;
@@ -39,14 +36,7 @@ static enum um_status begin(struct um_context *context, struct sums *s, size_t d
 
 static void release(struct um_context *context, struct sums *s)
 {
-  um_core_free(context, s->origin);
-  um_core_free(context, s->n);
-  um_core_free(context, s->f);
-  um_core_free(context, s->f2);
-  um_core_free(context, s->first);
-  um_core_free(context, s->total);
-  um_core_free(context, s->scatter);
-  um_core_free(context, s->batches);
+  UM_FREE(context, s->origin, s->n, s->f, s->f2, s->first, s->total, s->scatter, s->batches);
 }
 
 /* Value k of one row: A, B and the d points A_B^i, each `nvalue` behind the one before. */
@@ -114,16 +104,15 @@ static void end_batch(struct sums *s, size_t k)
   }
 }
 
-/* Rows first .. first + count - 1 of n. A batch ends before row ceil(b n / batches). */
-static void add_rows(const struct um_context *context, struct sums *s, size_t n, size_t first,
-                     size_t count, const double *value)
+/* A batch ends before row ceil(b n / batches). */
+static void add_rows(const struct um_context *context, struct sums *s, size_t n,
+                     const double *value)
 {
   long nvalue = (long)s->nvalue;
 #pragma omp parallel for schedule(static) num_threads(um_core_context_threads(context))
   for (long k = 0; k < nvalue; k++)
-    for (size_t j = 0; j < count; j++) {
-      size_t row = first + j;
-      add(s, (size_t)k, value + j * (s->d + 2) * s->nvalue);
+    for (size_t row = 0; row < n; row++) {
+      add(s, (size_t)k, value + row * (s->d + 2) * s->nvalue);
       if ((row + 1) * UM_UNCERTAINTY_BATCHES / n != row * UM_UNCERTAINTY_BATCHES / n)
         end_batch(s, (size_t)k);
     }
@@ -174,37 +163,9 @@ enum um_status um_uncertainty_sobol_indices(struct um_context *context, size_t d
   struct sums s = {0};
   UM_TRY(check(context, d, n));
   UM_CHECK(begin(context, &s, d, nvalue));
-  add_rows(context, &s, n, 0, n, value);
+  add_rows(context, &s, n, value);
   finish(&s, out);
 done:
-  release(context, &s);
-  return status;
-}
-
-enum um_status um_uncertainty_sobol_of(struct um_context *context, size_t d, size_t n,
-                                       size_t nvalue, uint64_t seed,
-                                       um_uncertainty_function *function, void *user,
-                                       struct um_uncertainty_sobol *out)
-{
-  enum um_status status;
-  struct sums s = {0};
-  double *u = NULL, *value = NULL;
-  size_t block = BLOCK_NUMBERS / ((d + 2) * (nvalue > 0 ? nvalue : 1));
-  block = block < 1 ? 1 : block > n ? n : block;
-  UM_TRY(check(context, d, n));
-  UM_CHECK(um_uncertainty_saltelli(context, d, n, seed, &u));
-  UM_CHECK(um_core_allocate(context, block * (d + 2), nvalue * sizeof *value, &value));
-  UM_CHECK(begin(context, &s, d, nvalue));
-  for (size_t j = 0; j < n; j += block) {
-    size_t rows = n - j < block ? n - j : block;
-    UM_CHECK(um_core_stop_check(context, "sampling Sobol indices"));
-    UM_CHECK(function(context, user, u + j * (d + 2) * d, rows * (d + 2), value));
-    add_rows(context, &s, n, j, rows, value);
-  }
-  finish(&s, out);
-done:
-  um_core_free(context, u);
-  um_core_free(context, value);
   release(context, &s);
   return status;
 }

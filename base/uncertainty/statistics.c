@@ -89,8 +89,7 @@ enum um_status um_uncertainty_quantiles(struct um_context *context, size_t n, si
                                 : weighed_quantile(w, m, sum, p[i]);
   }
 done:
-  um_core_free(context, w);
-  um_core_free(context, plain);
+  UM_FREE(context, w, plain);
   return status;
 }
 
@@ -166,9 +165,7 @@ enum um_status um_uncertainty_rank_correlation(struct um_context *context, size_
     }
   }
 done:
-  um_core_free(context, x);
-  um_core_free(context, y);
-  um_core_free(context, work);
+  UM_FREE(context, x, y, work);
   return status;
 }
 

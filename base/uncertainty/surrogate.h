@@ -88,9 +88,6 @@ size_t um_uncertainty_surrogate_degree(const struct um_uncertainty_surrogate *su
 /* [ngroup], in the order of the request; borrowed. */
 const struct um_uncertainty_surrogate_error *
 um_uncertainty_surrogate_errors(const struct um_uncertainty_surrogate *surrogate);
-/* Memory that it holds [bytes], and that a request may come to while it grows. */
-size_t um_uncertainty_surrogate_bytes(const struct um_uncertainty_surrogate *surrogate);
-size_t um_uncertainty_surrogate_bytes_max(const struct um_uncertainty_surrogate_request *request);
 
 /* Mean, variance and Sobol' indices of the surrogate's values without sampling, by its expansion in
  * polynomials that are orthonormal under the distributions [d] of the parameters (Sudret 2008,

@@ -2,7 +2,6 @@
 #include "base/uncertainty/surrogate.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 
 #include "base/uncertainty/surrogate_growth_impl.h"
@@ -153,11 +152,7 @@ um_uncertainty_surrogate_create(struct um_context *context,
   *out = g.s;
   g.s = NULL;
 done:
-  um_core_free(context, g.largest);
-  um_core_free(context, g.held);
-  um_core_free(context, g.held_value);
-  um_core_free(context, g.left);
-  um_core_free(context, g.basis);
+  UM_FREE(context, g.largest, g.held, g.held_value, g.left, g.basis);
   um_uncertainty_surrogate_destroy(context, &g.s);
   return status;
 }
@@ -168,10 +163,7 @@ void um_uncertainty_surrogate_destroy(struct um_context *context,
   struct um_uncertainty_surrogate *s = *surrogate;
   if (s == NULL) return;
   for (size_t t = 0; t < s->nterm; t++) um_core_free(context, s->term[t].surplus);
-  um_core_free(context, s->term);
-  um_core_free(context, s->nowhere);
-  um_core_free(context, s->error);
-  um_core_free(context, s);
+  UM_FREE(context, s->term, s->nowhere, s->error, s);
   *surrogate = NULL;
 }
 
@@ -200,19 +192,4 @@ const struct um_uncertainty_surrogate_error *
 um_uncertainty_surrogate_errors(const struct um_uncertainty_surrogate *surrogate)
 {
   return surrogate->error;
-}
-
-size_t um_uncertainty_surrogate_bytes(const struct um_uncertainty_surrogate *surrogate)
-{
-  return sizeof *surrogate + surrogate->room * sizeof *surrogate->term +
-         surrogate->nterm * surrogate->nvalue * sizeof(double);
-}
-
-/* Surpluses of all points, values and what is left of those held out, values of one step. */
-size_t um_uncertainty_surrogate_bytes_max(const struct um_uncertainty_surrogate_request *request)
-{
-  size_t held = request->held_out ? request->held_out : UM_UNCERTAINTY_HELD_OUT;
-  size_t most =
-      request->evaluations_max ? request->evaluations_max : UM_UNCERTAINTY_EVALUATIONS_MAX;
-  return (2 * most + 4 * held) * request->nvalue * sizeof(double);
 }

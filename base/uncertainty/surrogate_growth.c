@@ -166,8 +166,7 @@ enum um_status um_uncertainty_growth_add(struct um_context *context,
   UM_CHECK(evaluate(context, g, place, n, value));
   UM_CHECK(add_values(context, g, degree, n, place, value));
 done:
-  um_core_free(context, place);
-  um_core_free(context, value);
+  UM_FREE(context, place, value);
   return status;
 }
 
@@ -231,7 +230,6 @@ enum um_status um_uncertainty_growth_begin(struct um_context *context,
   }
   UM_CHECK(add_values(context, g, middle, 1, place, value));
 done:
-  um_core_free(context, place);
-  um_core_free(context, value);
+  UM_FREE(context, place, value);
   return status;
 }

@@ -93,8 +93,7 @@ static enum um_status make_weights(struct um_context *context,
     struct quadrature q = {0};
     enum um_status status = make_quadrature(context, &law[axis], &q);
     if (status == UM_OK) status = triangle(context, s, s->levels[axis], &q, r);
-    um_core_free(context, q.place);
-    um_core_free(context, q.weight);
+    UM_FREE(context, q.place, q.weight);
     UM_TRY(status);
     for (size_t a = 0; a < s->nterm; a++)
       for (size_t b = 0; b < s->nterm; b++)
@@ -167,7 +166,6 @@ um_uncertainty_surrogate_moments(struct um_context *context,
     }
   }
 done:
-  um_core_free(context, weight);
-  um_core_free(context, work);
+  UM_FREE(context, weight, work);
   return status;
 }

@@ -67,8 +67,7 @@ done:
     um_core_message_prefix(context, "%s: %s '%s'", c->run.plan->measurements->path,
                            um_compare_quantity_name(quantity),
                            c->run.plan->measurements->channel[channel->channel].of);
-  um_core_free(context, g.residual);
-  um_core_free(context, g.light);
+  UM_FREE(context, g.residual, g.light);
   return status;
 }
 

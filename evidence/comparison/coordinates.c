@@ -207,10 +207,8 @@ void um_compare_coordinates_destroy(struct um_context *context,
   if (coordinates == NULL || *coordinates == NULL) return;
   struct um_compare_coordinates *c = *coordinates;
   for (size_t i = 0; i < c->count; i++) {
-    um_core_free(context, c->coordinate[i].name);
-    um_core_free(context, c->coordinate[i].value);
+    UM_FREE(context, c->coordinate[i].name, c->coordinate[i].value);
   }
-  um_core_free(context, c->coordinate);
-  um_core_free(context, c);
+  UM_FREE(context, c->coordinate, c);
   *coordinates = NULL;
 }

@@ -83,7 +83,6 @@ enum um_status um_compare_circular(struct um_context *context, size_t n, const d
     *p = r2 < 1.0 ? gsl_cdf_fdist_Q(dof * r2 / (1.0 - r2) / 2.0, 2.0, dof) : 0.0;
   }
 done:
-  um_core_free(context, work);
-  um_core_free(context, order);
+  UM_FREE(context, work, order);
   return status;
 }

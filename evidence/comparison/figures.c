@@ -1,10 +1,8 @@
 /* How channels and their figures stand in result files. */
 #include "evidence/comparison/figures.h"
 
-#include <math.h>
 #include <string.h>
 
-#include "base/core/csv.h"
 #include "base/core/json.h"
 
 void um_compare_figures(const struct um_compare_metrics *m,
@@ -50,16 +48,6 @@ void um_compare_json_channel(FILE *file, const struct um_compare_channel *channe
   fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\"",
           um_compare_quantity_unit(channel->quantity), um_compare_residual_unit(channel->quantity));
 }
-
-void um_compare_csv_number(FILE *file, double value)
-{
-  if (!isfinite(value))
-    fputc(',', file);
-  else
-    fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
-}
-
-void um_compare_csv_text(FILE *file, const char *text) { um_core_csv_put(file, text, ""); }
 
 void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size)
 {

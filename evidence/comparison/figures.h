@@ -21,10 +21,6 @@ void um_compare_json_metrics(FILE *file, const char *before, const char *name,
                              const struct um_compare_metrics *metrics);
 /* "quantity": ..., "of": ..., "unit": ..., "residual_unit": ... without braces. */
 void um_compare_json_channel(FILE *file, const struct um_compare_channel *channel);
-/* ",value" with nine digits, "," for what is not a finite number. */
-void um_compare_csv_number(FILE *file, double value);
-/* A field by RFC 4180, in quotes where it needs them. */
-void um_compare_csv_text(FILE *file, const char *text);
 
 /* "band irradiance lwir", "AB magnitude vis" for a person. */
 void um_compare_channel_words(const struct um_compare_channel *channel, char *out, size_t size);

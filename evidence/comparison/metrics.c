@@ -3,7 +3,6 @@
 #include "evidence/comparison/metrics.h"
 
 #include <math.h>
-#include <stdint.h>
 
 #include "base/core/constants.h"
 #include "base/inference/distributions.h"
@@ -205,7 +204,6 @@ enum um_status um_compare_metrics_compute(struct um_context *context,
   }
   status = UM_OK;
 done:
-  um_core_free(context, gathered.of);
-  um_core_free(context, gathered.work);
+  UM_FREE(context, gathered.of, gathered.work);
   return status;
 }

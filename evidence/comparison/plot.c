@@ -202,8 +202,7 @@ static enum um_status picture(struct um_context *context, struct um_plot *plot,
   um_plot_time_label(plot, &time);
   residuals(plot, &s);
 done:
-  um_core_free(context, name);
-  um_core_free(context, s.curve);
+  UM_FREE(context, name, s.curve);
   return status;
 }
 

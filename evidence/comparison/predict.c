@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/constants.h"
@@ -213,12 +212,8 @@ done:
 void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan)
 {
   if (plan == NULL || *plan == NULL) return;
-  um_core_free(context, (*plan)->time);
-  um_core_free(context, (*plan)->exposure);
-  um_core_free(context, (*plan)->point);
-  um_core_free(context, (*plan)->observation);
-  um_core_free(context, (*plan)->source);
-  um_core_free(context, *plan);
+  UM_FREE(context, (*plan)->time, (*plan)->exposure, (*plan)->point, (*plan)->observation,
+          (*plan)->source, *plan);
   *plan = NULL;
 }
 

@@ -1,6 +1,5 @@
 /* Which band or place of a model answers a channel of measurements. */
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "evidence/comparison/places_group.h"

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/core/csv.h"
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/measurements/time_text.h"
@@ -49,8 +50,7 @@ static void json_correlations(FILE *file, const struct um_compare_channel_compar
   fputs(",\n     \"correlations\": [", file);
   for (size_t j = 0; j < channel->ncorrelation; j++) {
     const struct um_compare_correlation *r = &channel->correlation[j];
-    fprintf(file, "%s\n       {\"coordinate\": ", j > 0 ? "," : "");
-    um_core_json_string(file, r->name);
+    um_core_json_text(file, j > 0 ? ",\n       {" : "\n       {", "coordinate", r->name);
     fprintf(file, ", \"count\": %zu", r->count);
     um_core_json_field(file, ", ", "correlation", r->value);
     um_core_json_field(file, ", ", "p", r->p);
@@ -86,14 +86,10 @@ void um_compare_write_json(const struct um_compare_comparison *comparison, const
                            const char *version, FILE *file)
 {
   const struct um_compare_comparison *c = comparison;
-  fputs("{\n  \"scenario\": ", file);
-  um_core_json_string(file, c->run.model->scenario->name);
-  fputs(",\n  \"measurements\": ", file);
-  um_core_json_string(file, c->run.plan->measurements->path);
-  fputs(",\n  \"command\": ", file);
-  um_core_json_string(file, command);
-  fputs(",\n  \"version\": ", file);
-  um_core_json_string(file, version);
+  um_core_json_text(file, "{\n  ", "scenario", c->run.model->scenario->name);
+  um_core_json_text(file, ",\n  ", "measurements", c->run.plan->measurements->path);
+  um_core_json_text(file, ",\n  ", "command", command);
+  um_core_json_text(file, ",\n  ", "version", version);
   um_core_json_field(file, ",\n  ", "chi2", c->chi2);
   um_core_json_field(file, ", ", "dof", c->dof);
   um_core_json_field(file, ", ", "chi2_red", c->chi2_reduced);
@@ -113,9 +109,9 @@ static void csv_metrics(FILE *file, const struct um_compare_channel *channel, co
   struct um_compare_figure all[UM_COMPARE_FIGURES];
   um_compare_figures(m, all);
   fprintf(file, "%s,", um_compare_quantity_name(channel->quantity));
-  um_compare_csv_text(file, channel->of);
+  um_core_csv_put(file, channel->of, "");
   fprintf(file, ",%s,%s,%zu", segment, um_compare_residual_unit(channel->quantity), m->count);
-  for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) um_compare_csv_number(file, all[i].value);
+  for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) um_core_csv_put_number(file, all[i].value);
   fputc('\n', file);
 }
 
@@ -144,17 +140,17 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   char time[40];
   um_compare_time_text(r->t_tai, time);
   fprintf(file, "%s,%s,", time, um_compare_quantity_name(m->channel[r->channel].quantity));
-  um_compare_csv_text(file, m->channel[r->channel].of);
-  um_compare_csv_number(file, r->value);
-  um_compare_csv_number(file, c->model[row]);
-  um_compare_csv_number(file, r->sigma);
-  um_compare_csv_number(file, of->measured - of->model);
-  um_compare_csv_number(file, isnan(of->sigma) ? (double)NAN : um_compare_residual_normalised(of));
+  um_core_csv_put(file, m->channel[r->channel].of, "");
+  um_core_csv_put_number(file, r->value);
+  um_core_csv_put_number(file, c->model[row]);
+  um_core_csv_put_number(file, r->sigma);
+  um_core_csv_put_number(file, of->measured - of->model);
+  um_core_csv_put_number(file, isnan(of->sigma) ? (double)NAN : um_compare_residual_normalised(of));
   fprintf(file, ",%s,%s", um_compare_segment_name(c->light[k]),
           um_compare_segment_name(c->motion[k]));
-  um_compare_csv_number(file, of->model_sigma);
+  um_core_csv_put_number(file, of->model_sigma);
   for (size_t j = 0; j < c->coordinates->count; j++)
-    um_compare_csv_number(file, c->coordinates->coordinate[j].value[k]);
+    um_core_csv_put_number(file, c->coordinates->coordinate[j].value[k]);
   fputc('\n', file);
 }
 
@@ -164,10 +160,8 @@ static void write_residuals(const struct um_compare_comparison *c, FILE *file)
   fputs("time_utc,quantity,of,measured,model,sigma,residual,residual_in_sigma,light,motion,model_"
         "sigma",
         file);
-  for (size_t j = 0; j < c->coordinates->count; j++) {
-    fputc(',', file);
-    um_compare_csv_text(file, c->coordinates->coordinate[j].name);
-  }
+  for (size_t j = 0; j < c->coordinates->count; j++)
+    um_core_csv_put_text(file, c->coordinates->coordinate[j].name, "");
   fputc('\n', file);
   for (size_t i = 0; i < c->nchannel; i++)
     for (size_t r = 0; r < c->channel[i].count; r++) residual_row(c, c->channel[i].row[r], file);

@@ -2,8 +2,6 @@
  * and setting from the sign of the elevation's central difference. */
 #include "evidence/comparison/segments.h"
 
-#include <math.h>
-
 #include "base/core/constants.h"
 
 #define HALF_STEP 0.5 /* of the difference [s] */

@@ -93,8 +93,7 @@ enum um_status um_compare_series_create(struct um_context *context,
   if (sigmas) {
     set_weights(s);
   } else {
-    um_core_free(context, s->sigma);
-    um_core_free(context, s->weight);
+    UM_FREE(context, s->sigma, s->weight);
     s->sigma = s->weight = NULL;
   }
   *out = s;
@@ -108,13 +107,8 @@ done:
 void um_compare_series_destroy(struct um_context *context, struct um_compare_series **series)
 {
   if (series == NULL || *series == NULL) return;
-  um_core_free(context, (*series)->t);
-  um_core_free(context, (*series)->value);
-  um_core_free(context, (*series)->sigma);
-  um_core_free(context, (*series)->weight);
-  um_core_free(context, (*series)->row);
-  um_core_free(context, (*series)->track);
-  um_core_free(context, *series);
+  UM_FREE(context, (*series)->t, (*series)->value, (*series)->sigma, (*series)->weight,
+          (*series)->row, (*series)->track, *series);
   *series = NULL;
 }
 

@@ -90,7 +90,6 @@ enum um_status um_compare_plot_shade(struct um_context *context, const struct um
     return UM_OK;
   enum um_status status = follow(&s, time->first, time->last);
   if (status == UM_OK) um_plot_shade(plot, time, s.count, s.t, s.sunlit);
-  um_core_free(context, s.t);
-  um_core_free(context, s.sunlit);
+  UM_FREE(context, s.t, s.sunlit);
   return status;
 }

@@ -1,11 +1,10 @@
 /* Non-linear fits of the candidates that the linear model ranks best. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/trials_impl.h"
 
 #define AT_ONCE 16 /* alternatives, at most */

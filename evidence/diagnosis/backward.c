@@ -1,9 +1,9 @@
 /* Removes effects that are no longer worth their parameters by BIC. */
 #include <math.h>
 
-#include "evidence/diagnosis/backward_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 /* A parameter of the block is many sigmas from where it does nothing: the effect is needed. */
 static bool is_clear(const struct um_diagnosis_state *state, size_t b)

@@ -6,22 +6,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/backward_impl.h"
 #include "evidence/diagnosis/diagnosis_impl.h"
-#include "evidence/diagnosis/leave_one_out_impl.h"
-#include "evidence/diagnosis/missed_impl.h"
-#include "evidence/diagnosis/next_impl.h"
-#include "evidence/diagnosis/nuisance_impl.h"
-#include "evidence/diagnosis/pair_swap_impl.h"
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/pulse_bic_impl.h"
-#include "evidence/diagnosis/rank_impl.h"
-#include "evidence/diagnosis/select_impl.h"
 #include "evidence/diagnosis/state_impl.h"
-#include "evidence/diagnosis/summary_impl.h"
-#include "evidence/diagnosis/superseded_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
-#include "evidence/diagnosis/wanted_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
 {
@@ -246,8 +234,7 @@ enum um_status um_diagnosis_create(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  um_core_free(context, work.fate);
-  um_core_free(context, work.fold);
+  UM_FREE(context, work.fate, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   return status;
@@ -295,8 +282,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  um_core_free(context, work.fate);
-  um_core_free(context, work.fold);
+  UM_FREE(context, work.fate, work.fold);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   um_sensitivity_candidates_destroy(context, &candidates);

@@ -26,19 +26,14 @@ const struct um_diagnosis_step *um_diagnosis_step_of(const struct um_diagnosis *
 void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d)
 {
   for (size_t s = 0; s < d->nstep; s++) {
-    um_core_free(context, d->step[s].alternative);
-    um_core_free(context, d->step[s].value);
+    UM_FREE(context, d->step[s].alternative, d->step[s].value);
   }
   d->nstep = 0;
 }
 
 void um_diagnosis_end_clear(struct um_context *context, struct um_diagnosis *d)
 {
-  um_core_free(context, d->addition);
-  um_core_free(context, d->addition_sigma);
-  um_core_free(context, d->nuisance);
-  um_core_free(context, d->nuisance_sigma);
-  um_core_free(context, d->value_after);
+  UM_FREE(context, d->addition, d->addition_sigma, d->nuisance, d->nuisance_sigma, d->value_after);
   d->addition = d->nuisance = NULL;
   d->addition_sigma = d->nuisance_sigma = NULL;
   d->value_after = NULL;
@@ -48,8 +43,7 @@ void um_diagnosis_end_clear(struct um_context *context, struct um_diagnosis *d)
 void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nnext; i++) {
-    um_core_free(context, d->next_of[i].what);
-    um_core_free(context, d->next_of[i].of);
+    UM_FREE(context, d->next_of[i].what, d->next_of[i].of);
   }
   um_core_free(context, d->next_of);
   d->next_of = d->next = NULL;
@@ -62,14 +56,10 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   struct um_diagnosis *d = *diagnosis;
   um_diagnosis_steps_clear(context, d);
   um_diagnosis_end_clear(context, d);
-  um_core_free(context, d->summary);
-  um_core_free(context, d->step);
-  um_core_free(context, d->value_before);
-  um_core_free(context, d->ranking);
+  UM_FREE(context, d->summary, d->step, d->value_before, d->ranking);
   um_diagnosis_next_clear(context, d);
   um_missing_heat_residual_release(context, &d->residual);
-  um_core_free(context, d->superseded);
-  um_core_free(context, d->missed);
+  UM_FREE(context, d->superseded, d->missed);
   um_missing_heat_unexplained_destroy(context, &d->unexplained);
   um_core_free(context, d);
   *diagnosis = NULL;

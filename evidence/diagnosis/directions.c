@@ -1,5 +1,5 @@
 /* Candidates and nuisances as whitened directions, for the linear statistics. */
-#include "evidence/diagnosis/directions_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,10 +8,7 @@
 
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {
-  um_core_free(context, d->direction);
-  um_core_free(context, d->column);
-  um_core_free(context, d->bound);
-  um_core_free(context, d->nuisance_sigma);
+  UM_FREE(context, d->direction, d->column, d->bound, d->nuisance_sigma);
 }
 
 /* Unit of a direction [transformed]: the step of its difference, so that a

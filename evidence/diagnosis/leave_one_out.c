@@ -3,13 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
 #include "evidence/diagnosis/diagnosis_impl.h"
-#include "evidence/diagnosis/leave_one_out_impl.h"
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/rank_impl.h"
-#include "evidence/diagnosis/select_impl.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate)
 {

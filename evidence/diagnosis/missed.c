@@ -1,6 +1,6 @@
 /* Candidates that were not fitted, each with its reason. Who asks for an effect is told what became
  * of it. A verdict claims nothing of what was not tried. */
-#include "evidence/diagnosis/missed_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <stdio.h>
 

@@ -16,14 +16,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "base/core/order.h"
 #include "environment/airmass.h"
 #include "evidence/comparison/segments.h"
-#include "evidence/diagnosis/next_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PENUMBRA,
                                                 UM_SEGMENT_UMBRA};
@@ -218,8 +216,7 @@ static enum um_status look(struct um_context *context, const struct um_diagnosis
   UM_CHECK(offer_places(context, work->forward, run, segment, next));
   UM_CHECK(say(context, next));
 done:
-  um_core_free(context, motion);
-  um_core_free(context, segment);
+  UM_FREE(context, motion, segment);
   return status;
 }
 

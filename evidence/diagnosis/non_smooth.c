@@ -20,9 +20,9 @@
 #include <gsl/gsl_multimin.h>
 
 #include "base/core/order.h"
-#include "evidence/diagnosis/non_smooth_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 /* Amplitudes to scan [of the linear model's]. */
 static const double powers[] = {1.0, 1.5, 2.5, 4.0};
@@ -143,8 +143,7 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
     }
   memcpy(value, found, sizeof found);
 done:
-  um_core_free(context, rows);
-  um_core_free(context, all);
+  UM_FREE(context, rows, all);
   return status;
 }
 
@@ -333,9 +332,7 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
   }
   widen(&search, state);
 done:
-  um_core_free(context, search.seen);
-  um_core_free(context, search.value);
-  um_core_free(context, search.all);
+  UM_FREE(context, search.seen, search.value, search.all);
   um_diagnosis_state_release(context, &trial);
   return status;
 }

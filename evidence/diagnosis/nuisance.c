@@ -1,10 +1,9 @@
 /* What is uncertain anyway: calibration, clocks, properties with a stated width. */
-#include "evidence/diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/policy.h"
 #include "evidence/sensitivity/stated.h"
 
 enum um_status um_diagnosis_block_wanted(struct um_context *context,

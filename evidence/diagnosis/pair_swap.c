@@ -6,14 +6,12 @@
  *
  * beside the other effects. The best pairs are fitted. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/inference/algebra.h"
 #include "base/inference/projection.h"
-#include "evidence/diagnosis/directions_impl.h"
-#include "evidence/diagnosis/pair_swap_impl.h"
 #include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/trials_impl.h"
 
 #define COLUMNS (2 * UM_EFFECT_PARAMETERS_MAX)
@@ -28,9 +26,7 @@ struct left {
 
 static void left_release(struct um_context *context, struct left *left)
 {
-  um_core_free(context, left->column);
-  um_core_free(context, left->at);
-  um_core_free(context, left->residual);
+  UM_FREE(context, left->column, left->at, left->residual);
 }
 
 static enum um_status left_make(struct um_context *context, const struct um_diagnosis_work *work,
@@ -148,8 +144,7 @@ enum um_status um_diagnosis_pairs_find(struct um_context *context,
     }
   }
 done:
-  um_core_free(context, rotated);
-  um_core_free(context, matrix);
+  UM_FREE(context, rotated, matrix);
   left_release(context, &left);
   um_diagnosis_directions_release(context, &d);
   return status;

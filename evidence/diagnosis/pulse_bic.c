@@ -3,7 +3,7 @@
  *
  *   BIC = chi2 + chi2_prior + (k + 4) ln n        (Schwarz 1978, Ann. Stat. 6:461) */
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/pulse_bic_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 

@@ -6,10 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "evidence/diagnosis/directions_impl.h"
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/rank_impl.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/value_text.h"
 
 /* Prior widths from the null value. */
@@ -80,8 +79,7 @@ enum um_status um_diagnosis_rank(struct um_context *context, const struct um_dia
     }
   UM_CHECK(sort_alternatives(context, work, state, score, alternative, nalternative));
 done:
-  um_core_free(context, residual);
-  um_core_free(context, score);
+  UM_FREE(context, residual, score);
   um_diagnosis_directions_release(context, &d);
   return status;
 }

@@ -7,7 +7,7 @@
 #include "base/core/csv.h"
 #include "base/core/words.h"
 #include "effects/effects.h"
-#include "evidence/diagnosis/nuisance_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "model/build/effect_files.h"
 #include "model/build/effects.h"
 
@@ -227,9 +227,6 @@ enum um_status um_diagnosis_request_make(struct um_context *context, const struc
 void um_diagnosis_request_release(struct um_context *context, struct um_diagnosis_request *request)
 {
   for (size_t i = 0; i < request->ntext; i++) um_core_free(context, request->text[i]);
-  um_core_free(context, request->text);
-  um_core_free(context, request->nuisance);
-  um_core_free(context, request->wanted);
-  um_core_free(context, request->exclude);
+  UM_FREE(context, request->text, request->nuisance, request->wanted, request->exclude);
   *request = (struct um_diagnosis_request){0};
 }

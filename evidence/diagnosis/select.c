@@ -1,11 +1,8 @@
 /* One step of forward selection: the residual is tested, the best alternative by evidence is added.
  */
-#include <math.h>
 
-#include "evidence/diagnosis/alternatives_impl.h"
-#include "evidence/diagnosis/rank_impl.h"
-#include "evidence/diagnosis/select_impl.h"
 #include "evidence/diagnosis/state_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       const struct um_diagnosis_work *work,

@@ -133,8 +133,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
   um_inference_fit_destroy(context, &state->fit);
   state->fit = fit;
 done:
-  um_core_free(context, parameter);
-  um_core_free(context, e.addition);
+  UM_FREE(context, parameter, e.addition);
   return status;
 }
 
@@ -223,9 +222,7 @@ enum um_status um_diagnosis_state_whiteness(struct um_context *context,
                                        f->measurements->nchannel,
                                        um_diagnosis_free_parameters(state), out));
 done:
-  um_core_free(context, sorted);
-  um_core_free(context, channel);
-  um_core_free(context, order);
+  UM_FREE(context, sorted, channel, order);
   return status;
 }
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "evidence/diagnosis/policy.h"
-#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/value_text.h"
 #include "orbit/time.h"
 

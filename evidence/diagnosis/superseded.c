@@ -1,6 +1,6 @@
 /* An effect that was found first, and that several others replaced. It stays on record: without the
  * evidence for several it would have been the answer. */
-#include "evidence/diagnosis/superseded_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <string.h>
 

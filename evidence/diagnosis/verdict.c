@@ -3,7 +3,7 @@
 
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 /* Whether a free nuisance moved far. Then it has absorbed something: a calibration, or an effect
  * that resembles it. */

@@ -2,13 +2,10 @@
  * after another, each at its null value. Chi-square of several effects has more than one minimum;
  * so this ends in the one that a diagnosis ends in. The order on the command line does not matter.
  */
-#include "evidence/diagnosis/wanted_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 
 #include <math.h>
 
-#include "evidence/diagnosis/non_smooth_impl.h"
-#include "evidence/diagnosis/nuisance_impl.h"
-#include "evidence/diagnosis/rank_impl.h"
 #include "evidence/diagnosis/trials_impl.h"
 
 static bool is_started(const struct um_model_addition *wanted)

@@ -104,12 +104,7 @@ enum um_status um_compare_fold(struct um_context *context, const struct um_compa
 done:
   um_compare_curve_destroy(context, &f.curve);
   um_compare_white_destroy(context, &f.white);
-  um_core_free(context, f.profile);
-  um_core_free(context, f.trend);
-  um_core_free(context, f.left);
-  um_core_free(context, f.beside.t);
-  um_core_free(context, f.beside.value);
-  um_core_free(context, f.beside.sigma);
-  um_core_free(context, f.beside.weight);
+  UM_FREE(context, f.profile, f.trend, f.left, f.beside.t, f.beside.value, f.beside.sigma,
+          f.beside.weight);
   return status;
 }

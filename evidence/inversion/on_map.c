@@ -6,7 +6,6 @@
 #include "base/core/constants.h"
 #include "base/core/csv.h"
 #include "environment/airmass.h"
-#include "evidence/comparison/figures.h"
 #include "evidence/comparison/residual.h"
 #include "evidence/measurements/time_text.h"
 
@@ -19,11 +18,7 @@ struct light {
 
 static void light_release(struct um_context *context, struct light *l)
 {
-  um_core_free(context, l->wavelength);
-  um_core_free(context, l->width);
-  um_core_free(context, l->sun);
-  um_core_free(context, l->above);
-  um_core_free(context, l->below);
+  UM_FREE(context, l->wavelength, l->width, l->sun, l->above, l->below);
 }
 
 static enum um_status light_make(struct um_context *context, const struct um_model *model,
@@ -156,19 +151,11 @@ void um_compare_on_map_destroy(struct um_context *context, struct um_compare_on_
 {
   if (on_map == NULL || *on_map == NULL) return;
   um_compare_plan_destroy(context, &(*on_map)->plan);
-  um_core_free(context, (*on_map)->sample);
-  um_core_free(context, (*on_map)->row);
-  um_core_free(context, *on_map);
+  UM_FREE(context, (*on_map)->sample, (*on_map)->row, *on_map);
   *on_map = NULL;
 }
 
 /* ---- measured.csv ---- */
-
-static void text(FILE *file, const char *value, const char *tail)
-{
-  fputc(',', file);
-  um_core_csv_put(file, value, tail);
-}
 
 enum um_status um_compare_on_map_write(struct um_context *context,
                                        const struct um_compare_on_map *on_map,
@@ -178,9 +165,9 @@ enum um_status um_compare_on_map_write(struct um_context *context,
   const struct um_compare_measurements *m = on_map->measurements;
   fputs("time_utc,quantity,of,value,latitude_deg,longitude_deg,phase_angle_deg,plane_deg", file);
   for (size_t b = 0; b < model->nband; b++) {
-    text(file, model->band[b].name, "_m2_sr");
-    text(file, model->band[b].name, "_sigma_m2_sr");
-    text(file, model->band[b].name, "_looked_up_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_sigma_m2_sr");
+    um_core_csv_put_text(file, model->band[b].name, "_looked_up_m2_sr");
   }
   fputc('\n', file);
   for (size_t i = 0; i < on_map->count; i++) {
@@ -192,21 +179,21 @@ enum um_status um_compare_on_map_write(struct um_context *context,
     UM_TRY(um_core_stop_check(context, "measurements were written"));
     um_compare_time_text(from->t_tai, time);
     fputs(time, file);
-    text(file, um_compare_quantity_name(channel->quantity), "");
-    text(file, channel->of, "");
-    um_compare_csv_number(file, from->value);
-    um_compare_csv_number(file, at->latitude / UM_DEG);
-    um_compare_csv_number(file, at->longitude / UM_DEG);
-    um_compare_csv_number(file, at->phase_angle / UM_DEG);
-    um_compare_csv_number(file, at->plane / UM_DEG);
+    um_core_csv_put_text(file, um_compare_quantity_name(channel->quantity), "");
+    um_core_csv_put_text(file, channel->of, "");
+    um_core_csv_put_number(file, from->value);
+    um_core_csv_put_number(file, at->latitude / UM_DEG);
+    um_core_csv_put_number(file, at->longitude / UM_DEG);
+    um_core_csv_put_number(file, at->phase_angle / UM_DEG);
+    um_core_csv_put_number(file, at->plane / UM_DEG);
     for (size_t b = 0; b < model->nband; b++) {
       if (b != row->band) {
         fputs(",,,", file);
         continue;
       }
-      um_compare_csv_number(file, row->value);
-      um_compare_csv_number(file, row->sigma);
-      um_compare_csv_number(file, pass->looked_up[row->observation * pass->nband + b]);
+      um_core_csv_put_number(file, row->value);
+      um_core_csv_put_number(file, row->sigma);
+      um_core_csv_put_number(file, pass->looked_up[row->observation * pass->nband + b]);
     }
     fputc('\n', file);
   }

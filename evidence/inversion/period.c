@@ -240,8 +240,6 @@ done:
 void um_compare_period_destroy(struct um_context *context, struct um_compare_period **period)
 {
   if (period == NULL || *period == NULL) return;
-  um_core_free(context, (*period)->frequency);
-  um_core_free(context, (*period)->power);
-  um_core_free(context, *period);
+  UM_FREE(context, (*period)->frequency, (*period)->power, *period);
   *period = NULL;
 }

@@ -119,12 +119,7 @@ done:
 void um_compare_curve_destroy(struct um_context *context, struct um_compare_curve **curve)
 {
   if (curve == NULL || *curve == NULL) return;
-  um_core_free(context, (*curve)->block);
-  um_core_free(context, (*curve)->t);
-  um_core_free(context, (*curve)->y);
-  um_core_free(context, (*curve)->g);
-  um_core_free(context, (*curve)->row);
-  um_core_free(context, *curve);
+  UM_FREE(context, (*curve)->block, (*curve)->t, (*curve)->y, (*curve)->g, (*curve)->row, *curve);
   *curve = NULL;
 }
 
@@ -171,13 +166,8 @@ done:
 void um_compare_white_destroy(struct um_context *context, struct um_compare_white **white)
 {
   if (white == NULL || *white == NULL) return;
-  um_core_free(context, (*white)->phi);
-  um_core_free(context, (*white)->gain);
-  um_core_free(context, (*white)->scale);
-  um_core_free(context, (*white)->power);
-  um_core_free(context, (*white)->trend);
-  um_core_free(context, (*white)->y);
-  um_core_free(context, *white);
+  UM_FREE(context, (*white)->phi, (*white)->gain, (*white)->scale, (*white)->power, (*white)->trend,
+          (*white)->y, *white);
   *white = NULL;
 }
 

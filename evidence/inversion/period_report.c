@@ -78,7 +78,6 @@ void um_compare_period_report_destroy(struct um_context *context,
   if (report == NULL || *report == NULL) return;
   for (size_t i = 0; i < (*report)->count; i++)
     um_compare_period_destroy(context, &(*report)->entry[i].period);
-  um_core_free(context, (*report)->entry);
-  um_core_free(context, *report);
+  UM_FREE(context, (*report)->entry, *report);
   *report = NULL;
 }

@@ -1,11 +1,11 @@
 /* Periodograms and folded curves as files, and a picture of them by gnuplot. */
 #include "evidence/inversion/period_write.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/core/csv.h"
 #include "base/core/file.h"
 #include "base/plot/plot.h"
 #include "evidence/comparison/figures.h"
@@ -20,22 +20,10 @@
 #define MIDDLE 64
 #define BELOW  52
 
-static enum um_status open_in(struct um_context *context, const char *folder, const char *name,
-                              FILE **out)
-{
-  char *path = NULL;
-  UM_TRY(um_core_asprintf(context, &path, "%s/%s", folder, name));
-  *out = fopen(path, "w");
-  enum um_status status = UM_OK;
-  if (*out == NULL) status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  um_core_free(context, path);
-  return status;
-}
-
 static void put_channel(const struct um_compare_channel *of, FILE *f)
 {
   fprintf(f, "%s,", um_compare_quantity_name(of->quantity));
-  um_compare_csv_text(f, of->of);
+  um_core_csv_put(f, of->of, "");
   fputc(',', f);
 }
 
@@ -167,28 +155,26 @@ static enum um_status draw(struct um_context *context, const struct um_compare_p
     folded(plot, &r->entry[c], um_compare_residual_unit(of->quantity),
            1 + c * UM_COMPARE_FOLD_BINS);
     row += p->count;
-    um_core_free(context, name);
-    um_core_free(context, file);
+    UM_FREE(context, name, file);
     name = file = NULL;
   }
   status = um_plot_draw(context, &plot);
 done:
-  um_core_free(context, name);
-  um_core_free(context, file);
+  UM_FREE(context, name, file);
   um_plot_destroy(context, &plot);
   return status;
 }
 
 enum um_status um_compare_period_write(struct um_context *context,
                                        const struct um_compare_period_report *report, bool plots,
-                                       const char *folder)
+                                       struct um_core_folder *folder)
 {
   FILE *f = NULL;
-  UM_TRY(open_in(context, folder, "periodogram.csv", &f));
+  UM_TRY(um_core_folder_open(context, folder, "periodogram.csv", &f));
   put_periodograms(report, f);
   UM_TRY(um_core_file_close(context, "periodogram.csv", &f));
-  UM_TRY(open_in(context, folder, "folded.csv", &f));
+  UM_TRY(um_core_folder_open(context, folder, "folded.csv", &f));
   put_folded(report, f);
   UM_TRY(um_core_file_close(context, "folded.csv", &f));
-  return plots ? draw(context, report, folder) : UM_OK;
+  return plots ? draw(context, report, um_core_folder_path(folder)) : UM_OK;
 }

@@ -12,7 +12,6 @@
 #include "evidence/comparison/predict.h"
 #include "evidence/measurements/set_group.h"
 #include "model/build/timeline.h"
-#include "model/geometry/points.h"
 #include "model/products/star.h"
 #include "orbit/time.h"
 #include "output/fits.h"
@@ -198,8 +197,7 @@ enum um_status um_compare_calibration_read(struct um_context *context, const str
   else if (status == UM_ERR_INPUT)
     um_core_message_prefix(context, "%s", path);
 done:
-  um_core_free(context, stars.star);
-  um_core_free(context, stars.row);
+  UM_FREE(context, stars.star, stars.row);
   um_core_csv_destroy(&stars.csv);
   return status;
 }

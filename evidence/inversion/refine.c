@@ -37,8 +37,7 @@ enum um_status um_compare_share(struct um_context *context, const struct um_comp
   for (size_t c = 0; c < m->nchannel; c++)
     if (count[c] > 0) *share = fmax(*share, sum[c] / (double)count[c]); /* not NaN, if one is */
 done:
-  um_core_free(context, sum);
-  um_core_free(context, count);
+  UM_FREE(context, sum, count);
   return status;
 }
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "evidence/comparison/figures.h"
+#include "base/core/csv.h"
 #include "model/build/bands.h"
 #include "model/geometry/precompute.h"
 #include "orbit/time.h"
@@ -112,12 +112,8 @@ static void work_release(struct um_context *context, struct work *w)
 {
   for (size_t b = 0; w->bins != NULL && b < w->model->nband; b++)
     um_model_band_bins_clear(context, &w->bins[b]);
-  um_core_free(context, w->bins);
-  um_core_free(context, w->first);
-  um_core_free(context, w->row);
-  um_core_free(context, w->spectrum.bins);
-  um_core_free(context, w->spectrum.intensity);
-  um_core_free(context, w->spectrum.sigma);
+  UM_FREE(context, w->bins, w->first, w->row, w->spectrum.bins, w->spectrum.intensity,
+          w->spectrum.sigma);
   um_model_precomputed_destroy(context, &w->precomputed);
   um_compare_plan_destroy(context, &w->plan);
 }
@@ -151,8 +147,7 @@ void um_compare_retrieved_destroy(struct um_context *context,
                                   struct um_compare_retrieved **retrieved)
 {
   if (*retrieved == NULL) return;
-  um_core_free(context, (*retrieved)->row);
-  um_core_free(context, *retrieved);
+  UM_FREE(context, (*retrieved)->row, *retrieved);
   *retrieved = NULL;
 }
 
@@ -167,12 +162,12 @@ static void put_body(FILE *file, const struct um_instrument_grey_body *body, siz
 {
   bool known = body->n > 0;
   for (size_t j = 0; j < n; j++) {
-    um_compare_csv_number(file, known ? body->temperature[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->temperature_sigma[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->area[j] : (double)NAN);
-    um_compare_csv_number(file, known ? body->area_sigma[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->temperature[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->temperature_sigma[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->area[j] : (double)NAN);
+    um_core_csv_put_number(file, known ? body->area_sigma[j] : (double)NAN);
   }
-  um_compare_csv_number(file, known ? body->chi2 : (double)NAN);
+  um_core_csv_put_number(file, known ? body->chi2 : (double)NAN);
 }
 
 void um_compare_retrieved_write(const struct um_compare_retrieved *retrieved, FILE *file)
@@ -189,8 +184,8 @@ void um_compare_retrieved_write(const struct um_compare_retrieved *retrieved, FI
     fprintf(file, "%s,%zu", time, r->nband);
     put_body(file, &r->one, 1);
     put_body(file, &r->two, 2);
-    um_compare_csv_number(file, two ? um_instrument_grey_body_effective(&r->two) : (double)NAN);
-    um_compare_csv_number(file, both ? r->two.bic - r->one.bic : (double)NAN);
+    um_core_csv_put_number(file, two ? um_instrument_grey_body_effective(&r->two) : (double)NAN);
+    um_core_csv_put_number(file, both ? r->two.bic - r->one.bic : (double)NAN);
     fputc('\n', file);
   }
 }

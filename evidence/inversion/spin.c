@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/core/constants.h"
-#include "evidence/comparison/figures.h"
+#include "base/core/csv.h"
 #include "evidence/inversion/spin_impl.h"
 #include "evidence/measurements/time_text.h"
 
@@ -211,8 +211,7 @@ enum um_status um_compare_spins_find(struct um_context *context, const struct um
   *out = spins;
   spins = NULL;
 done:
-  um_core_free(context, d.row);
-  um_core_free(context, laws);
+  UM_FREE(context, d.row, laws);
   um_compare_spins_destroy(context, &spins);
   return status;
 }
@@ -220,8 +219,7 @@ done:
 void um_compare_spins_destroy(struct um_context *context, struct um_compare_spins **spins)
 {
   if (spins == NULL || *spins == NULL) return;
-  um_core_free(context, (*spins)->spin);
-  um_core_free(context, *spins);
+  UM_FREE(context, (*spins)->spin, *spins);
   *spins = NULL;
 }
 
@@ -239,7 +237,7 @@ void um_compare_spins_write(const struct um_compare_spins *spins, FILE *file)
     const double sigma[] = {s->axis_sigma / UM_DEG, s->period_sigma, s->phase_sigma / UM_DEG};
     fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%s,%.9g,%.9g", s->axis.x, s->axis.y, s->axis.z,
             s->period, s->phase / UM_DEG, at, s->chi2, s->apart);
-    for (int k = 0; k < 3; k++) um_compare_csv_number(file, sigma[k]);
+    for (int k = 0; k < 3; k++) um_core_csv_put_number(file, sigma[k]);
     fputc('\n', file);
   }
 }

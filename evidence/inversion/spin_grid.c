@@ -170,11 +170,7 @@ enum um_status um_compare_spin_grid(struct um_context *context,
   UM_CHECK(search_all(context, &g));
   UM_CHECK(choose(context, &g, out, count));
 done:
-  um_core_free(context, g.ring);
-  um_core_free(context, g.looked_up);
-  um_core_free(context, g.least);
-  um_core_free(context, g.at);
-  um_core_free(context, g.found);
+  UM_FREE(context, g.ring, g.looked_up, g.least, g.at, g.found);
   if (status != UM_OK) {
     um_core_free(context, *out);
     *out = NULL;

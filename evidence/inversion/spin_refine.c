@@ -117,11 +117,6 @@ enum um_status um_compare_spin_refine(struct um_context *context,
   }
 done:
   um_inference_fit_destroy(context, &f);
-  um_core_free(context, measured);
-  um_core_free(context, sigma);
-  um_core_free(context, trial.sun);
-  um_core_free(context, trial.observer);
-  um_core_free(context, trial.all);
-  um_core_free(context, trial.error);
+  UM_FREE(context, measured, sigma, trial.sun, trial.observer, trial.all, trial.error);
   return status;
 }

@@ -35,8 +35,7 @@ static enum um_status fill_sigma(struct um_context *context, struct um_compare_w
   UM_CHECK(um_compare_noise_sigmas(context, whole->model->scenario, m, value, sigma));
   for (size_t i = 0; i < m->count; i++) m->row[i].sigma = sigma[i];
 done:
-  um_core_free(context, value);
-  um_core_free(context, sigma);
+  UM_FREE(context, value, sigma);
   return status;
 }
 

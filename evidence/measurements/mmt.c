@@ -242,7 +242,6 @@ enum um_status um_compare_mmt_read(struct um_context *context, const char *path,
   }
 done:
   um_compare_set_abandon(context, &r.set);
-  um_core_free(context, r.point);
-  um_core_free(context, text);
+  UM_FREE(context, r.point, text);
   return status;
 }

@@ -64,8 +64,7 @@ void um_compare_names_free(struct um_context *context, struct um_compare_names *
 char **um_compare_names_take(struct um_context *context, struct um_compare_names *names)
 {
   char **text = names->text;
-  um_core_free(context, names->tag);
-  um_core_free(context, names->slot);
+  UM_FREE(context, names->tag, names->slot);
   *names = (struct um_compare_names){0};
   return text;
 }

@@ -1,13 +1,10 @@
 /* Measurement sets: memory, and the checks that hold between rows. */
 #include "evidence/measurements/set_group.h"
 
-#include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "evidence/measurements/time_text.h"
-#include "orbit/time.h"
 
 void um_compare_measurements_destroy(struct um_context *context,
                                      struct um_compare_measurements **measurements)
@@ -17,12 +14,7 @@ void um_compare_measurements_destroy(struct um_context *context,
   for (size_t i = 0; i < m->nchannel; i++) um_core_free(context, m->channel[i].of);
   for (size_t i = 0; i < m->ntrack; i++) um_core_free(context, m->track[i]);
   for (size_t i = 0; i < m->nstation; i++) um_core_free(context, m->station[i]);
-  um_core_free(context, m->channel);
-  um_core_free(context, m->track);
-  um_core_free(context, m->station);
-  um_core_free(context, m->row);
-  um_core_free(context, m->path);
-  um_core_free(context, m);
+  UM_FREE(context, m->channel, m->track, m->station, m->row, m->path, m);
   *measurements = NULL;
 }
 
@@ -137,7 +129,6 @@ void um_compare_set_abandon(struct um_context *context, struct um_compare_set *s
   um_compare_names_free(context, &set->channels);
   um_compare_names_free(context, &set->tracks);
   um_compare_names_free(context, &set->stations);
-  um_core_free(context, set->last);
-  um_core_free(context, set->before);
+  UM_FREE(context, set->last, set->before);
   set->last = set->before = NULL;
 }

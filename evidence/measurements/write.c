@@ -19,6 +19,8 @@
 #include "evidence/measurements/measurements.h"
 #include "evidence/measurements/time_text.h"
 
+#define WRITTEN "the measurements were written"
+
 /* Which optional columns have something to say. */
 struct layout {
   bool exposure, flag, track, geometry, station;
@@ -61,12 +63,6 @@ static void put_converted(FILE *file, double value)
   put_number(file, strtod(text, NULL));
 }
 
-static void put_text(FILE *file, const char *text)
-{
-  fputc(',', file);
-  um_core_csv_put(file, text, "");
-}
-
 static void put_row(FILE *file, const struct um_compare_measurements *m, const struct layout *l,
                     const struct um_compare_measurement *row)
 {
@@ -74,21 +70,22 @@ static void put_row(FILE *file, const struct um_compare_measurements *m, const s
   um_compare_time_text(row->t_tai, time);
   fputs(time, file);
   enum um_compare_quantity quantity = m->channel[row->channel].quantity;
-  put_text(file, um_compare_quantity_name(quantity));
+  um_core_csv_put_text(file, um_compare_quantity_name(quantity), "");
   /* below this bound a temperature states its unit, else it would be taken for Celsius */
   if (quantity == UM_QUANTITY_TEMPERATURE && row->value < UM_COMPARE_COLD) fputs("_K", file);
-  put_text(file, m->channel[row->channel].of);
+  um_core_csv_put_text(file, m->channel[row->channel].of, "");
   put_number(file, row->value);
   put_number(file, row->sigma);
   if (l->exposure) put_number(file, row->exposure);
   if (l->flag) fprintf(file, ",%d", row->flag);
-  if (l->track) put_text(file, m->track[row->track]);
+  if (l->track) um_core_csv_put_text(file, m->track[row->track], "");
   if (l->geometry) {
     put_converted(file, 1e-3 * row->satellite_height);
     put_converted(file, row->azimuth / UM_DEG);
     put_converted(file, row->elevation / UM_DEG);
   }
-  if (l->station) put_text(file, row->station == SIZE_MAX ? "" : m->station[row->station]);
+  if (l->station)
+    um_core_csv_put_text(file, row->station == SIZE_MAX ? "" : m->station[row->station], "");
   fputc('\n', file);
 }
 
@@ -124,46 +121,33 @@ static enum um_status check_rows(struct um_context *context,
 
 /* A pipe or a device that the user names is written to where it stands; a pipe that nobody reads is
  * not waited for. */
-static FILE *open_in_place(const char *path)
+static enum um_status write_in_place(struct um_context *context,
+                                     const struct um_compare_measurements *m, const char *path)
 {
   int descriptor = open(path, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (descriptor < 0) return NULL;
-  (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
-  FILE *file = fdopen(descriptor, "w");
-  if (file == NULL) close(descriptor);
-  return file;
+  if (descriptor >= 0) (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+  if (file == NULL) {
+    int reason = errno;
+    if (descriptor >= 0) close(descriptor);
+    return um_core_fail(context, UM_ERR_IO, "%s: %s", path,
+                        reason == ENXIO ? "nobody reads this pipe" : strerror(reason));
+  }
+  put_file(file, m);
+  UM_TRY(um_core_file_close(context, path, &file));
+  return um_core_stop_check(context, WRITTEN);
 }
 
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path)
 {
-  char *partial = NULL;
-  FILE *file = NULL;
+  struct um_core_whole_file whole;
   struct stat st;
-  enum um_status status;
   UM_TRY(check_rows(context, measurements, path));
-  bool in_place = stat(path, &st) == 0 && !S_ISREG(st.st_mode);
-  if (in_place)
-    UM_TRY(um_core_strdup(context, path, &partial));
-  else
-    UM_TRY(um_core_file_partial(context, path, &partial));
-  if (!in_place) um_core_file_leftovers_remove(context, path);
-  file = in_place ? open_in_place(path) : fopen(partial, "w");
-  if (file == NULL) {
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path,
-                          errno == ENXIO ? "nobody reads this pipe" : strerror(errno));
-    goto done;
-  }
-  put_file(file, measurements);
-  status = in_place ? UM_OK : um_core_file_sync(context, path, file);
-  enum um_status closed = um_core_file_close(context, path, &file);
-  if (status == UM_OK) status = closed;
-  if (status == UM_OK) status = um_core_stop_check(context, "the measurements were written");
-  if (status == UM_OK && !in_place && rename(partial, path) != 0)
-    status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  if (status != UM_OK && !in_place) remove(partial);
-done:
-  um_core_free(context, partial);
-  return status;
+  if (stat(path, &st) == 0 && !S_ISREG(st.st_mode))
+    return write_in_place(context, measurements, path);
+  UM_TRY(um_core_whole_begin(context, path, &whole));
+  put_file(whole.file, measurements);
+  return um_core_whole_end(context, &whole, um_core_stop_check(context, WRITTEN));
 }

@@ -12,7 +12,6 @@
 
 #include "base/inference/algebra.h"
 #include "evidence/missing_heat/policy.h"
-#include "model/run/run.h"
 
 /* Values over sigma of the observations with the pulse. */
 static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,
@@ -69,8 +68,6 @@ enum um_status um_missing_heat_change(struct um_context *context,
     if (fabs(with / square - 1.0) < UM_MISSING_HEAT_SETTLED) break;
   }
 done:
-  um_core_free(context, cold);
-  um_core_free(context, value);
-  um_core_free(context, left);
+  UM_FREE(context, cold, value, left);
   return status;
 }

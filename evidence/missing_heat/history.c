@@ -26,11 +26,7 @@ struct history {
 
 static void history_release(struct um_context *context, struct history *h)
 {
-  um_core_free(context, h->r);
-  um_core_free(context, h->y);
-  um_core_free(context, h->column);
-  um_core_free(context, h->right);
-  um_core_free(context, h->work);
+  UM_FREE(context, h->r, h->y, h->column, h->right, h->work);
 }
 
 static enum um_status history_create(struct um_context *context,

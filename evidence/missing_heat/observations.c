@@ -15,11 +15,8 @@
 #include <string.h>
 
 #include "evidence/comparison/residual.h"
-#include "model/build/build.h"
-#include "model/geometry/precompute.h"
 #include "model/products/run_response.h"
 #include "model/run/run.h"
-#include "model/run/thermal_solution.h"
 
 #define TOLERANCE 1e-3 /* of a step of heat [1]; leaves 2e-4 of a place's largest answer */
 #define WARMER    0.1  /* [K]; dB/dT of 10 um at 250 K changes by 0.2 % */
@@ -101,8 +98,7 @@ static enum um_status find_slopes(struct um_context *context, struct um_missing_
   UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
   for (size_t g = 0; g < base->nregion; g++) UM_CHECK(find_slope(context, base, g, offset, cold));
 done:
-  um_core_free(context, cold);
-  um_core_free(context, offset);
+  UM_FREE(context, cold, offset);
   return status;
 }
 
@@ -146,10 +142,7 @@ void um_missing_heat_base_release(struct um_context *context, struct um_missing_
 {
   um_model_result_destroy(context, &base->result);
   um_variant_close(context, &base->variant);
-  um_core_free(context, base->first);
-  um_core_free(context, base->row);
-  um_core_free(context, base->region);
-  um_core_free(context, base->slope);
+  UM_FREE(context, base->first, base->row, base->region, base->slope);
   *base = (struct um_missing_heat_base){0};
 }
 
@@ -312,9 +305,6 @@ enum um_status um_missing_heat_columns(struct um_context *context,
   UM_CHECK(um_model_thermal_solution_response(context, base->variant.heat, pulse, nplace * nbin,
                                               TOLERANCE, take, &t));
 done:
-  um_core_free(context, t.weight);
-  um_core_free(context, t.sum);
-  um_core_free(context, t.gradient);
-  um_core_free(context, pulse);
+  UM_FREE(context, t.weight, t.sum, t.gradient, pulse);
   return status;
 }

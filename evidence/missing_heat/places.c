@@ -113,9 +113,7 @@ void um_missing_heat_places_destroy(struct um_context *context,
                                     struct um_missing_heat_place **place, size_t nplace)
 {
   for (size_t i = 0; *place != NULL && i < nplace; i++) {
-    um_core_free(context, (*place)[i].name);
-    um_core_free(context, (*place)[i].node);
-    um_core_free(context, (*place)[i].weight);
+    UM_FREE(context, (*place)[i].name, (*place)[i].node, (*place)[i].weight);
   }
   um_core_free(context, *place);
   *place = NULL;

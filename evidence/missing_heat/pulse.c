@@ -59,11 +59,7 @@ enum um_status um_missing_heat_bins_create(struct um_context *context,
 
 void um_missing_heat_bins_release(struct um_context *context, struct um_missing_heat_bins *bins)
 {
-  um_core_free(context, bins->edge);
-  um_core_free(context, bins->column);
-  um_core_free(context, bins->product);
-  um_core_free(context, bins->whole);
-  um_core_free(context, bins->with);
+  UM_FREE(context, bins->edge, bins->column, bins->product, bins->whole, bins->with);
   *bins = (struct um_missing_heat_bins){0};
 }
 

@@ -97,7 +97,6 @@ enum um_status um_missing_heat_residual_of(struct um_context *context,
 void um_missing_heat_residual_release(struct um_context *context,
                                       struct um_missing_heat_residual *residual)
 {
-  um_core_free(context, residual->channel);
-  um_core_free(context, residual->coordinate);
+  UM_FREE(context, residual->channel, residual->coordinate);
   *residual = (struct um_missing_heat_residual){0};
 }

@@ -57,14 +57,7 @@ static void search_release(struct um_context *context, struct search *s)
   um_missing_heat_base_release(context, &s->base);
   um_missing_heat_places_destroy(context, &s->place, s->nplace);
   um_inference_projection_destroy(context, &s->projection);
-  um_core_free(context, s->residual);
-  um_core_free(context, s->column);
-  um_core_free(context, s->t);
-  um_core_free(context, s->edge);
-  um_core_free(context, s->time);
-  um_core_free(context, s->wanted);
-  um_core_free(context, s->origin);
-  um_core_free(context, s->pulse);
+  UM_FREE(context, s->residual, s->column, s->t, s->edge, s->time, s->wanted, s->origin, s->pulse);
 }
 
 /* Project the nuisances out of the residual; its chi-square after that. */
@@ -85,8 +78,7 @@ static enum um_status project(struct um_context *context, struct search *s, cons
   um_inference_projection_apply(&s->projection, whole, s->residual);
   *chi2 = um_inference_dot(s->projection.nleft, s->residual, s->residual);
 done:
-  um_core_free(context, whole);
-  um_core_free(context, width);
+  UM_FREE(context, whole, width);
   return status;
 }
 
@@ -328,14 +320,8 @@ void um_missing_heat_unexplained_destroy(struct um_context *context,
   if (unexplained == NULL || *unexplained == NULL) return;
   struct um_missing_heat_unexplained *u = *unexplained;
   for (size_t i = 0; i < u->nheat; i++) {
-    um_core_free(context, u->heat[i].place);
-    um_core_free(context, u->heat[i].t);
-    um_core_free(context, u->heat[i].heat);
-    um_core_free(context, u->heat[i].sigma);
+    UM_FREE(context, u->heat[i].place, u->heat[i].t, u->heat[i].heat, u->heat[i].sigma);
   }
-  um_core_free(context, u->heat);
-  um_core_free(context, u->coordinate);
-  um_core_free(context, u->channel);
-  um_core_free(context, u);
+  UM_FREE(context, u->heat, u->coordinate, u->channel, u);
   *unexplained = NULL;
 }

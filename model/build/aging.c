@@ -122,9 +122,6 @@ bool um_model_aging_equal(const struct um_model_aging *a, const struct um_model_
 void um_model_aging_destroy(struct um_context *context, struct um_model_aging **aging)
 {
   if (aging == NULL || *aging == NULL) return;
-  um_core_free(context, (*aging)->absorptance);
-  um_core_free(context, (*aging)->emittance);
-  um_core_free(context, (*aging)->material);
-  um_core_free(context, *aging);
+  UM_FREE(context, (*aging)->absorptance, (*aging)->emittance, (*aging)->material, *aging);
   *aging = NULL;
 }

@@ -4,16 +4,8 @@
 #include "effects/effects.h"
 #include "environment/map.h"
 #include "environment/sky_table.h"
-#include "model/build/build_blocked_impl.h"
-#include "model/build/build_creases_impl.h"
-#include "model/build/build_environment_impl.h"
-#include "model/build/build_orbit_impl.h"
-#include "model/build/build_parts_impl.h"
-#include "model/build/build_sky_light_impl.h"
-#include "model/build/build_thermal_impl.h"
 #include "model/build/effects_group.h"
-#include "model/build/limits_impl.h"
-#include "model/build/origin_impl.h"
+#include "model/build/steps_impl.h"
 #include "model/scenario/fail_group.h"
 #include "model/scenario/scenario_read.h"
 
@@ -138,13 +130,9 @@ void um_model_destroy(struct um_context *context, struct um_model **model)
   um_orbit_trajectory_destroy(&m->trajectory);
   um_orbit_trajectory_destroy(&m->observer_trajectory);
   um_orbit_finals_destroy(&m->orientation.finals);
-  um_core_free(context, m->station);
-  um_core_free(context, m->material);
-  um_core_free(context, m->adjustment);
-  um_core_free(context, m->effect);
+  UM_FREE(context, m->station, m->material, m->adjustment, m->effect);
   um_optics_creases_destroy(context, &m->creases);
-  um_core_free(context, m->creasing);
-  um_core_free(context, m->start_offset);
+  UM_FREE(context, m->creasing, m->start_offset);
   um_core_arena_release(context, &m->memory);
   destroy_owned(context, m);
   um_core_free(context, m);

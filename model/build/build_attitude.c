@@ -1,5 +1,5 @@
 /* Attitude laws of a scenario, and the slews between them. */
-#include "model/build/build_attitude_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,11 +1,10 @@
 /* From the scenario's bands and filters to bins with what passes of each. */
-#include "model/build/build_bands_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "model/build/bands.h"
-#include "model/build/origin_impl.h"
 #include "model/scenario/fail_group.h"
 #include "optics/instrument/filter.h"
 

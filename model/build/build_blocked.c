@@ -6,7 +6,7 @@
  *
  * of the patch that the surface belongs to (geometry/view_factors.h). Joints stand as at the start
  * of the scenario. */
-#include "model/build/build_blocked_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 

@@ -1,11 +1,10 @@
 /* What a geometry counts twice, said before anything is computed. */
-#include "model/build/build_coincident_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <stdio.h>
 
 #include "geometry/bodies.h"
 #include "geometry/coincident.h"
-#include "model/build/interior_names_impl.h"
 
 #define NAMED 5 /* pairs of parts with a line of their own */
 

@@ -1,8 +1,7 @@
 /* Creases: how each group of the built parts hangs, from the scenario and from effects. */
-#include "model/build/build_creases_impl.h"
+#include "model/build/steps_impl.h"
 
 #include "base/core/constants.h"
-#include "model/build/build_wall_impl.h"
 #include "model/build/effects_group.h"
 #include "model/build/words_group.h"
 

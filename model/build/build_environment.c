@@ -1,5 +1,5 @@
 /* From the scenario's environment and effects to the configuration of Sun and Earth. */
-#include "model/build/build_environment_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 
@@ -8,8 +8,6 @@
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
 #include "model/build/effects_group.h"
-#include "model/build/origin_impl.h"
-#include "model/build/scenario_environment_impl.h"
 #include "model/build/words_group.h"
 
 /* Kilometres along the ground as an angle at the geocentre. */

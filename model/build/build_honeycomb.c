@@ -8,11 +8,10 @@
  * radiation from cell to cell that they add is 1 % in aluminium and left out). Of hexagonal cells
  * with doubled walls along the ribbon the conduction is as 8/3 through, 3/2 along and 1 across
  * (Gilmore 2002, ch. 8), in the mean 0.47 of that through. */
-#include "model/build/build_honeycomb_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 
-#include "model/build/bulk_law_impl.h"
 #include "model/scenario/fail_group.h"
 
 #define IN_PLANE (1.25 / (8.0 / 3.0))

@@ -1,14 +1,10 @@
 /* What is inside a part: its interiors, what holds them to the walls, and whether heat that they
  * release gets out. */
-#include "model/build/build_interiors_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "model/build/build_power_impl.h"
-#include "model/build/build_wall_impl.h"
-#include "model/build/interior_names_impl.h"
 #include "model/scenario/fail_group.h"
 
 /* A name that no other place of the part has. */

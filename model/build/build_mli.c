@@ -1,10 +1,9 @@
 /* Blankets of MLI from their keys. */
-#include "model/build/build_mli_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/build/interior_names_impl.h"
 #include "model/scenario/fail_group.h"
 
 /* A key that another law has. */

@@ -1,6 +1,6 @@
 /* A part whose heat is stated as nodes and conductors in two tables; its shape and its materials
  * stay for light and radiation. */
-#include "model/build/build_network_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <string.h>
 

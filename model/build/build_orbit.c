@@ -1,13 +1,11 @@
 /* From the scenario to trajectory, attitude and observer. */
-#include "model/build/build_orbit_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "base/core/constants.h"
 #include "base/core/file.h"
-#include "model/build/build_attitude_impl.h"
-#include "model/build/build_points_impl.h"
 #include "model/build/effects_group.h"
 #include "model/build/words_group.h"
 #include "orbit/sun.h"

@@ -1,18 +1,13 @@
 /* From the scenario's parts to geometry and material records. */
-#include "model/build/build_parts_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/core/constants.h"
 #include "base/core/words.h"
 #include "model/build/aging_group.h"
-#include "model/build/build_bands_impl.h"
-#include "model/build/build_coincident_impl.h"
 #include "model/build/effects_group.h"
-#include "model/build/interior_names_impl.h"
-#include "model/build/origin_impl.h"
 #include "model/build/words_group.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)

@@ -1,7 +1,7 @@
 /* A scenario without a track (orbit.points). What asks for a velocity or for heat that is followed
  * along an orbit is refused; the light of one instant, with Sun, shadow, attitude and the Earth
  * below, is all that such a scenario has. */
-#include "model/build/build_points_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Power histories of a scenario: a CSV of time_utc and power_W. */
-#include "model/build/build_power_impl.h"
+#include "model/build/steps_impl.h"
 
 #include "base/core/csv.h"
 #include "model/build/words_group.h"

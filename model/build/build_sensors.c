@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "model/build/bands.h"
-#include "model/build/build_bands_impl.h"
 #include "model/build/sensor_preset.h"
+#include "model/build/steps_impl.h"
 #include "model/build/words_group.h"
 #include "optics/instrument/filter.h"
 

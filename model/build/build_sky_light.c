@@ -1,5 +1,5 @@
 /* The air above the station, whose scattered light stands in the line of sight. */
-#include "model/build/build_sky_light_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* From the scenario's parts and material records to the heat network. */
-#include "model/build/build_thermal_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,15 +7,8 @@
 
 #include "base/core/constants.h"
 #include "base/core/words.h"
-#include "model/build/aging_group.h"
-#include "model/build/build_interiors_impl.h"
-#include "model/build/build_mli_impl.h"
-#include "model/build/build_network_impl.h"
-#include "model/build/build_power_impl.h"
-#include "model/build/build_wall_impl.h"
 #include "model/build/effects_group.h"
 #include "model/build/start_offset_group.h"
-#include "model/build/surface_law_impl.h"
 #include "model/build/words_group.h"
 
 /* Working arrays of one build; everything in them lives as long as the document. */

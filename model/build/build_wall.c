@@ -1,13 +1,8 @@
 /* Walls of a part: shells, blankets, solids. */
-#include "model/build/build_wall_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "model/build/build_honeycomb_impl.h"
-#include "model/build/build_power_impl.h"
-#include "model/build/bulk_law_impl.h"
-#include "model/scenario/fail_group.h"
 
 const struct um_scenario_group *um_model_group_named(const struct um_scenario_part *part,
                                                      const char *name)

@@ -1,6 +1,6 @@
 /* From material records to how walls and solids store and conduct heat at temperatures: a table of
  * ratios for each record and property, made once for a model. */
-#include "model/build/bulk_law_impl.h"
+#include "model/build/steps_impl.h"
 
 static enum um_status ratio_make(struct um_context *context, struct um_model *model,
                                  const struct um_materials_record *record,

@@ -3,7 +3,7 @@
  * so a scenario, which may come from anywhere, cannot have one loaded by itself: the command line
  * names the same file, or allows them all. */
 #include "model/build/effect_files.h"
-#include "model/build/effect_files_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  */
 #include "model/build/effects.h"
 #include "model/build/effects_group.h"
-#include "model/build/interior_names_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,9 +14,6 @@
 #include "effects/effects.h"
 #include "model/build/bands.h"
 #include "model/build/effect_files.h"
-#include "model/build/effect_files_impl.h"
-#include "model/build/origin_impl.h"
-#include "model/build/scenario_environment_impl.h"
 #include "model/scenario/fail_group.h"
 
 /* Where a use was written; NULL mark for the command line. */

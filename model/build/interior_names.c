@@ -1,5 +1,5 @@
 /* Interiors of a part: `interior` where it has one, then those of `interiors`. */
-#include "model/build/interior_names_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Limits of temperatures: do they name places of this satellite? */
-#include "model/build/limits_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 #include <string.h>

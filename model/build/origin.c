@@ -1,5 +1,5 @@
 /* What a variant has from its origin: each builder names the keys that it reads. */
-#include "model/build/origin_impl.h"
+#include "model/build/steps_impl.h"
 
 bool um_model_origin_says(const struct um_model *model, const char *const *paths)
 {

@@ -1,5 +1,5 @@
 /* The scenario's environment in SI, without what effects do to it. */
-#include "model/build/scenario_environment_impl.h"
+#include "model/build/steps_impl.h"
 
 void um_model_scenario_environment(const struct um_scenario *scenario, struct um_environment *to)
 {

@@ -1,6 +1,5 @@
 /* What the run begins with beside the periodic or isothermal state: interiors that are warmer or
  * colder, by effects. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

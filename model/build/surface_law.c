@@ -1,12 +1,11 @@
 /* From material records to how surfaces depend on angle and temperature: ratios of the record's
  * absorptance and emittance, effects included, to those that the heat network states (normal
  * incidence, 300 K). Grey records and withheld effects have none. */
-#include "model/build/surface_law_impl.h"
+#include "model/build/steps_impl.h"
 
 #include <math.h>
 
 #include "base/core/constants.h"
-#include "model/build/aging_group.h"
 
 /* The Earth's own radiation is taken as that of a black body of `earth` [K]; all that is absorbed
  * of it by angle is over what is absorbed of light from all sides, times law->planet. */

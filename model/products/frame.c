@@ -83,8 +83,7 @@ static enum um_status electrons(struct um_context *context, const struct um_opti
   }
   for (size_t i = 0; i < n; i++) (*out)[i] *= sum > 0.0 ? total / sum : 0.0;
 done:
-  um_core_free(context, weight);
-  um_core_free(context, weighed);
+  UM_FREE(context, weight, weighed);
   return status;
 }
 

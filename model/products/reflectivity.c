@@ -20,9 +20,7 @@ struct block {
 
 static void block_release(struct um_context *context, struct block *b)
 {
-  um_core_free(context, b->sample);
-  um_core_free(context, b->temperature);
-  um_core_free(context, b->nothing);
+  UM_FREE(context, b->sample, b->temperature, b->nothing);
 }
 
 static enum um_status block_make(struct um_context *context, const struct um_model *model, size_t n,

@@ -98,8 +98,7 @@ enum um_status um_model_map_create(struct um_context *context, const struct um_m
   *out = map;
   map = NULL;
 done:
-  um_core_free(context, sun);
-  um_core_free(context, observer);
+  UM_FREE(context, sun, observer);
   um_model_map_destroy(context, &map);
   return status;
 }
@@ -107,12 +106,8 @@ done:
 void um_model_map_destroy(struct um_context *context, struct um_model_map **map)
 {
   if (map == NULL || *map == NULL) return;
-  um_core_free(context, (*map)->phase_angle);
-  um_core_free(context, (*map)->nplane);
-  um_core_free(context, (*map)->first);
-  um_core_free(context, (*map)->value);
-  um_core_free(context, (*map)->error);
-  um_core_free(context, *map);
+  UM_FREE(context, (*map)->phase_angle, (*map)->nplane, (*map)->first, (*map)->value, (*map)->error,
+          *map);
   *map = NULL;
 }
 

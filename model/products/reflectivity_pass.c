@@ -102,8 +102,7 @@ enum um_status um_model_map_pass_create(struct um_context *context, const struct
   }
   UM_CHECK(um_model_map_pass_of(context, model, map, sample, t, n, out));
 done:
-  um_core_free(context, sample);
-  um_core_free(context, t);
+  UM_FREE(context, sample, t);
   return status;
 }
 

@@ -159,10 +159,7 @@ enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
 done:
   for (size_t k = 0; w.setting != NULL && k < nmove; k++)
     um_model_heat_setting_clear(context, &w.setting[k]);
-  um_core_free(context, w.setting);
-  um_core_free(context, w.variant);
-  um_core_free(context, w.begin);
-  um_core_free(context, w.start);
+  UM_FREE(context, w.setting, w.variant, w.begin, w.start);
   um_model_thermal_sensitivity_destroy(context, &w.to);
   return status;
 }
@@ -171,8 +168,7 @@ void um_model_thermal_sensitivity_destroy(struct um_context *context,
                                           struct um_model_thermal_sensitivity **sensitivity)
 {
   if (sensitivity == NULL || *sensitivity == NULL) return;
-  um_core_free(context, (*sensitivity)->value);
-  um_core_free(context, *sensitivity);
+  UM_FREE(context, (*sensitivity)->value, *sensitivity);
   *sensitivity = NULL;
 }
 

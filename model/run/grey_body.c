@@ -65,9 +65,7 @@ static enum um_status make_spectrum(struct um_context *context, const struct um_
 
 static void release(struct um_context *context, struct spectrum *s)
 {
-  um_core_free(context, s->band);
-  um_core_free(context, s->bins);
-  um_core_free(context, s->intensity);
+  UM_FREE(context, s->band, s->bins, s->intensity);
 }
 
 /* Intensities and their weights at observation k. */

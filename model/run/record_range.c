@@ -1,5 +1,5 @@
 /* Do surfaces stay where the records of their materials hold? */
-#include "model/run/record_range_impl.h"
+#include "model/run/parts_impl.h"
 
 #include <math.h>
 

@@ -20,31 +20,12 @@ void um_model_result_destroy(struct um_context *context, struct um_model_result 
   if (result == NULL || *result == NULL) return;
   struct um_model_result *r = *result;
   for (size_t i = 0; r->place != NULL && i < r->nplace; i++) {
-    um_core_free(context, r->place[i].name);
-    um_core_free(context, r->place[i].mean);
-    um_core_free(context, r->place[i].minimum);
-    um_core_free(context, r->place[i].maximum);
+    UM_FREE(context, r->place[i].name, r->place[i].mean, r->place[i].minimum, r->place[i].maximum);
   }
-  um_core_free(context, r->place);
-  um_core_free(context, r->heat);
-  um_core_free(context, r->irradiance);
-  um_core_free(context, r->magnitude_ab);
-  um_core_free(context, r->measured_intensity);
-  um_core_free(context, r->intensity);
-  um_core_free(context, r->standard_error);
-  um_core_free(context, r->irradiance_error);
-  um_core_free(context, r->magnitude_error);
-  um_core_free(context, r->vega_ab);
-  um_core_free(context, r->count_rate);
-  um_core_free(context, r->grey_body);
-  um_core_free(context, r->count_rate_error);
-  um_core_free(context, r->spectral);
-  um_core_free(context, r->wavelength);
-  um_core_free(context, r->bin_width);
-  um_core_free(context, r->transmission);
-  um_core_free(context, r->bin_band);
-  um_core_free(context, r->surface_temperature);
-  um_core_free(context, r->node_temperature);
-  um_core_free(context, r);
+  UM_FREE(context, r->place, r->heat, r->irradiance, r->magnitude_ab, r->measured_intensity,
+          r->intensity, r->standard_error, r->irradiance_error, r->magnitude_error, r->vega_ab,
+          r->count_rate, r->grey_body, r->count_rate_error, r->spectral, r->wavelength,
+          r->bin_width, r->transmission, r->bin_band, r->surface_temperature, r->node_temperature,
+          r);
   *result = NULL;
 }

@@ -4,9 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/run/record_range_impl.h"
+#include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
-#include "model/run/run_places_impl.h"
 #include "model/run/thermal_solution.h"
 #include "optics/lightcurve/adapt.h"
 

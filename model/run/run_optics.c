@@ -8,8 +8,8 @@
 #include "model/build/effects_group.h"
 #include "model/run/counts.h"
 #include "model/run/grey_body.h"
+#include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
-#include "model/run/sky_bands_impl.h"
 
 int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed)
 {
@@ -57,19 +57,15 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .photons = precomputed->photons};
   return UM_OK;
 done:
-  um_core_free(context, adjustment);
-  um_core_free(context, albedo);
-  um_core_free(context, view_factor);
-  um_core_free(context, brightness);
+  UM_FREE(context, adjustment, albedo, view_factor, brightness);
   return status;
 }
 
 void um_model_scene_release(struct um_context *context, struct um_optics_scene *scene)
 {
   if (scene->ages) um_core_free(context, (void *)(uintptr_t)scene->adjustment);
-  um_core_free(context, (void *)(uintptr_t)scene->albedo);
-  um_core_free(context, (void *)(uintptr_t)scene->view_factor);
-  um_core_free(context, (void *)(uintptr_t)scene->brightness);
+  UM_FREE(context, (void *)(uintptr_t)scene->albedo, (void *)(uintptr_t)scene->view_factor,
+          (void *)(uintptr_t)scene->brightness);
   scene->albedo = scene->view_factor = scene->brightness = NULL;
 }
 
@@ -361,8 +357,7 @@ static enum um_status observe_all(struct um_context *context, const struct um_mo
   UM_CHECK(observe(context, model, precomputed, r, scratch, sky));
   UM_CHECK(observe_counts(context, model, precomputed, bare_error, scratch, sky, r));
 done:
-  um_core_free(context, bare_error);
-  um_core_free(context, sky);
+  UM_FREE(context, bare_error, sky);
   return status;
 }
 
@@ -381,7 +376,6 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
   UM_CHECK(observe_all(context, model, precomputed, result, light.exo_atmospheric));
   UM_CHECK(um_model_run_grey_bodies(context, model, precomputed, result));
 done:
-  um_core_free(context, light.exo_atmospheric);
-  um_core_free(context, light.at_aperture);
+  UM_FREE(context, light.exo_atmospheric, light.at_aperture);
   return status;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/run/run_places_impl.h"
+#include "model/run/parts_impl.h"
 
 static size_t instants(const struct um_model_precomputed *precomputed)
 {
@@ -161,8 +161,7 @@ enum um_status um_model_run_heat(struct um_context *context, const struct um_mod
     }
   }
 done:
-  um_core_free(context, share);
-  um_core_free(context, node);
+  UM_FREE(context, share, node);
   return status;
 }
 

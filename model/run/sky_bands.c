@@ -1,5 +1,5 @@
 /* Scattered light per observation and band, for effects that leave some of it in a reading. */
-#include "model/run/sky_bands_impl.h"
+#include "model/run/parts_impl.h"
 
 #include "model/build/effects_group.h"
 #include "model/run/counts.h"

@@ -228,10 +228,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
 {
   if (heat == NULL || *heat == NULL) return;
   um_thermal_history_destroy(context, &(*heat)->run.history);
-  um_core_free(context, (*heat)->run.surface);
-  um_core_free(context, (*heat)->start);
-  um_core_free(context, (*heat)->mean);
-  um_core_free(context, (*heat)->rest);
+  UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->rest);
   um_model_heat_setting_clear(context, &(*heat)->setting);
   um_core_free(context, *heat);
   *heat = NULL;

@@ -4,7 +4,6 @@
 #include "model/scenario/scenario.h"
 
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 

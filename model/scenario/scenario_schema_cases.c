@@ -1,31 +1,31 @@
 /* Keys of scenario.yaml: limits of temperatures, and the cases that are held against them. */
 #include "model/scenario/scenario_schema_group.h"
 
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_limit, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_limit
 static const struct um_schema_field limit_fields[] = {
-    F(of, "of", UM_SCHEMA_TEXT, NAME, REQUIRED,
+    F(of, UM_SCHEMA_TEXT, NAME, REQUIRED,
       HELP("place, as temperatures.csv calls it: a part, side, group or interior")),
-    F(minimum_K, "minimum_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 5000),
+    F(minimum_K, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 5000),
       HELP("no part of it may be colder")),
-    F(maximum_K, "maximum_K", UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 5000),
+    F(maximum_K, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 5000),
       HELP("no part of it may be warmer")),
-    F(uncertainty_K, "uncertainty_K", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1000),
+    F(uncertainty_K, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1000),
       HELP("of what is computed: taken from both margins")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_limit_schema, struct um_scenario_limit, "limit",
               "Between which temperatures a place must stay.", FIELDS(limit_fields));
 static const char *const analysis_choices[] = {"transient", "orbit_mean", "steady", NULL};
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_case, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_case
 static const struct um_schema_field case_fields[] = {
-    F(analysis, "analysis", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = analysis_choices,
+    F(analysis, UM_SCHEMA_CHOICE, DEFAULT(0), .choices = analysis_choices,
       HELP("transient: extremes from the first observation to the last; orbit_mean: balance under "
            "heat averaged over an orbit; steady: balance under the heat of the first observation")),
-    F(set, "set", UM_SCHEMA_TEXTS, MOST(1000), HELP("changes, KEY=VALUE as --set takes them")),
-    F(with, "with", UM_SCHEMA_TEXTS, MOST(1000), HELP("effects, as --with takes them")),
-    F(without, "without", UM_SCHEMA_TEXTS, MOST(1000), HELP("effects, as --without takes them")),
+    F(set, UM_SCHEMA_TEXTS, MOST(1000), HELP("changes, KEY=VALUE as --set takes them")),
+    F(with, UM_SCHEMA_TEXTS, MOST(1000), HELP("effects, as --with takes them")),
+    F(without, UM_SCHEMA_TEXTS, MOST(1000), HELP("effects, as --without takes them")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_case_schema, struct um_scenario_case, "case",
               "A variant of the scenario whose temperatures are held against the limits.",
               FIELDS(case_fields));

@@ -3,29 +3,11 @@
 #ifndef UMBRA_MODEL_SCENARIO_SCHEMA_GROUP_H
 #define UMBRA_MODEL_SCENARIO_SCHEMA_GROUP_H
 
-#include <math.h>
-
-#include "base/document/schema.h"
+#include "base/document/schema_words.h"
 #include "model/scenario/scenario.h"
 #include "orbit/time.h"
 
-#define REQUIRED           .required = true
-#define POSITIVE(top)      .minimum = 0.0, .maximum = (top), .open_minimum = true
-#define BETWEEN(low, high) .minimum = (low), .maximum = (high)
-#define NO_DEFAULT         .default_value = NAN
-#define DEFAULT(v)         .default_value = (v)
-#define UTC                .length = sizeof(double), .parse = um_orbit_time_parse_hook
-#define HELP(text)         .help = (text)
-#define NAMES_FILE         .file = true
-#define NAME               .name = true
-#define MOST(n)            .most = (n)
-#define FIELDS(array)      .fields = (array), .nfield = UM_FIELD_COUNT(array)
-#define OBJECT(identifier, structure, name_, help_, ...)                                           \
-  static const struct um_schema_object identifier = {                                              \
-      .name = (name_), .help = (help_), .size = sizeof(structure), __VA_ARGS__}
-#define SHARED_OBJECT(identifier, structure, name_, help_, ...)                                    \
-  const struct um_schema_object identifier = {                                                     \
-      .name = (name_), .help = (help_), .size = sizeof(structure), __VA_ARGS__}
+#define UTC .length = sizeof(double), .parse = um_orbit_time_parse_hook
 
 extern const struct um_schema_object um_model_orbit_schema;
 extern const struct um_schema_object um_model_attitude_schema;

@@ -10,44 +10,42 @@ static const char *const quantity_choices[] = {"band_irradiance",
                                                "characteristic_temperature",
                                                "infrared_cross_section",
                                                NULL};
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_noise, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_noise
 static const struct um_schema_field noise_fields[] = {
-    F(quantity, "quantity", UM_SCHEMA_CHOICE, REQUIRED, .choices = quantity_choices,
+    F(quantity, UM_SCHEMA_CHOICE, REQUIRED, .choices = quantity_choices,
       HELP("of the rows that it is for")),
-    F(of, "of", UM_SCHEMA_TEXT, NAME,
+    F(of, UM_SCHEMA_TEXT, NAME,
       HELP("band or place as in the rows; default: all that no other entry names")),
-    F(relative, "relative", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
+    F(relative, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
       HELP("of the model's value; of magnitudes, of the flux")),
-    F(floor, "floor", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e30),
+    F(floor, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e30),
       HELP("in the unit of the quantity; sigma^2 = (relative value)^2 + floor^2")),
 };
-#undef F
+#undef OF
 OBJECT(noise_object, struct um_scenario_noise, "noise", "Sigma of the rows that state none.",
        FIELDS(noise_fields));
-#define F(member, key, type, ...)                                                                  \
-  UM_FIELD(struct um_scenario_nuisance, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_nuisance
 static const struct um_schema_field nuisance_fields[] = {
-    F(effect, "effect", UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra effects`")),
-    F(target, "target", UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
-    F(sigma, "sigma", UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e30),
+    F(effect, UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra effects`")),
+    F(target, UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
+    F(sigma, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e30),
       HELP("how far its parameters may be from the scenario's, in their unit, as a fraction for "
            "positive factors; default: the width of their prior")),
-    F(free, "free", UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: no such width, instead of sigma")),
-    F(per, "per", UM_SCHEMA_TEXT,
+    F(free, UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: no such width, instead of sigma")),
+    F(per, UM_SCHEMA_TEXT,
       HELP("set: one value for all measurements, the default; nothing else is accepted")),
 };
-#undef F
+#undef OF
 OBJECT(nuisance_object, struct um_scenario_nuisance, "nuisance",
        "An effect that is uncertain anyway: a diagnosis fits it along and never names it.",
        FIELDS(nuisance_fields));
-#define F(member, key, type, ...)                                                                  \
-  UM_FIELD(struct um_scenario_measurements, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_measurements
 static const struct um_schema_field measurements_fields[] = {
-    F(noise, "noise", UM_SCHEMA_LIST, MOST(1000), .object = &noise_object),
-    F(nuisance, "nuisance", UM_SCHEMA_LIST, MOST(1000), .object = &nuisance_object),
-    F(exclude, "exclude", UM_SCHEMA_TEXTS, MOST(1000), NAME,
+    F(noise, UM_SCHEMA_LIST, MOST(1000), .object = &noise_object),
+    F(nuisance, UM_SCHEMA_LIST, MOST(1000), .object = &nuisance_object),
+    F(exclude, UM_SCHEMA_TEXTS, MOST(1000), NAME,
       HELP("effects, EFFECT or EFFECT:TARGET, that a diagnosis does not try")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_measurements_schema, struct um_scenario_measurements, "measurements",
               "What is known of measurements beside their file.", FIELDS(measurements_fields));

@@ -1,34 +1,32 @@
 /* Keys of scenario.yaml: shapes of parts, where they stand and how they turn. */
 #include "model/scenario/scenario_schema_group.h"
 
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_box, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_box
 static const struct um_schema_field box_fields[] = {
-    F(size_m, "size_m", UM_SCHEMA_VECTOR, REQUIRED, .length = 3, POSITIVE(1e4), HELP("x, y, z")),
+    F(size_m, UM_SCHEMA_VECTOR, REQUIRED, .length = 3, POSITIVE(1e4), HELP("x, y, z")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_box_schema, struct um_scenario_box, "box",
               "Closed; groups +x -x +y -y +z -z.", FIELDS(box_fields));
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_plate, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_plate
 static const struct um_schema_field plate_fields[] = {
-    F(size_m, "size_m", UM_SCHEMA_VECTOR, REQUIRED, .length = 2, POSITIVE(1e4),
+    F(size_m, UM_SCHEMA_VECTOR, REQUIRED, .length = 2, POSITIVE(1e4),
       HELP("x, y; the front looks to +z")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_plate_schema, struct um_scenario_plate, "plate",
               "Open, two sides; group plate.", FIELDS(plate_fields));
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_round, member, key, type, __VA_ARGS__)
-#define RADIUS                    F(radius_m, "radius_m", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("radius"))
-#define HEIGHT                    F(height_m, "height_m", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("along z"))
+#define OF     struct um_scenario_round
+#define RADIUS F(radius_m, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("radius"))
+#define HEIGHT F(height_m, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("along z"))
 static const struct um_schema_field radius_fields[] = {RADIUS};
 static const struct um_schema_field cylinder_fields[] = {RADIUS, HEIGHT};
 static const struct um_schema_field cone_fields[] = {
     RADIUS, HEIGHT,
-    F(radius_top_m, "radius_top_m", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e4),
-      HELP("at +z; 0 is a point"))};
+    F(radius_top_m, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e4), HELP("at +z; 0 is a point"))};
 static const struct um_schema_field paraboloid_fields[] = {
-    RADIUS, F(focal_length_m, "focal_length_m", UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e5),
-              HELP("z = r^2/(4 f)"))};
-#undef F
+    RADIUS, F(focal_length_m, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e5), HELP("z = r^2/(4 f)"))};
+#undef OF
 SHARED_OBJECT(um_model_disc_schema, struct um_scenario_round, "disc",
               "Open, front to +z; group disc.", FIELDS(radius_fields));
 SHARED_OBJECT(um_model_sphere_schema, struct um_scenario_round, "sphere", "Closed; group sphere.",
@@ -40,37 +38,34 @@ SHARED_OBJECT(um_model_cone_schema, struct um_scenario_round, "cone",
 SHARED_OBJECT(um_model_paraboloid_schema, struct um_scenario_round, "paraboloid",
               "Dish, open, concave front to +z; group dish.", FIELDS(paraboloid_fields));
 
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_mesh, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_mesh
 static const struct um_schema_field mesh_fields[] = {
-    F(file, "file", UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
-      HELP("Wavefront OBJ; its groups are the groups")),
-    F(scale, "scale", UM_SCHEMA_NUMBER, DEFAULT(1.0), POSITIVE(1e6), HELP("metres per unit")),
+    F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE, HELP("Wavefront OBJ; its groups are the groups")),
+    F(scale, UM_SCHEMA_NUMBER, DEFAULT(1.0), POSITIVE(1e6), HELP("metres per unit")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_mesh_schema, struct um_scenario_mesh, "mesh", "A mesh from a file.",
               FIELDS(mesh_fields), .scalar_key = "file");
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_pose, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_pose
 static const struct um_schema_field pose_fields[] = {
-    F(position_m, "position_m", UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
+    F(position_m, UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
       HELP("of the part's origin in its parent")),
-    F(rotation_deg, "rotation_deg", UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
+    F(rotation_deg, UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
       HELP("the part is turned about the parent's z, then its new y, then its new x: [x, y, z]")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_pose_schema, struct um_scenario_pose, "pose",
               "Where a part sits in its parent.", FIELDS(pose_fields));
 static const char *const track_choices[] = {"none", "sun", NULL};
-#define F(member, key, type, ...) UM_FIELD(struct um_scenario_joint, member, key, type, __VA_ARGS__)
+#define OF struct um_scenario_joint
 static const struct um_schema_field joint_fields[] = {
-    F(axis, "axis", UM_SCHEMA_VECTOR, REQUIRED, .length = 3,
-      HELP("in the part, through its origin")),
-    F(angle_deg, "angle_deg", UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-360, 360),
+    F(axis, UM_SCHEMA_VECTOR, REQUIRED, .length = 3, HELP("in the part, through its origin")),
+    F(angle_deg, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-360, 360),
       HELP("fixed turn, or offset when tracking")),
-    F(track, "track", UM_SCHEMA_CHOICE, DEFAULT(0), .choices = track_choices,
-      HELP("what to follow")),
-    F(normal, "normal", UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
+    F(track, UM_SCHEMA_CHOICE, DEFAULT(0), .choices = track_choices, HELP("what to follow")),
+    F(normal, UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
       HELP("direction of the part turned toward what is tracked")),
 };
-#undef F
+#undef OF
 SHARED_OBJECT(um_model_joint_schema, struct um_scenario_joint, "joint", "One-axis joint.",
               FIELDS(joint_fields));

@@ -25,8 +25,7 @@ struct render {
 static void rows_destroy(struct um_context *context, size_t n, struct um_optics_image_row *row)
 {
   for (size_t i = 0; row != NULL && i < n; i++) {
-    um_core_free(context, row[i].first);
-    um_core_free(context, row[i].share);
+    UM_FREE(context, row[i].first, row[i].share);
   }
   um_core_free(context, row);
 }
@@ -174,14 +173,8 @@ void um_optics_image_destroy(struct um_context *context, struct um_optics_image 
   if (image == NULL || *image == NULL) return;
   struct um_optics_image *i = *image;
   rows_destroy(context, (size_t)i->height, i->row);
-  um_core_free(context, i->first);
-  um_core_free(context, i->wavelength);
-  um_core_free(context, i->bin_width);
-  um_core_free(context, i->transmission);
-  um_core_free(context, i->surface);
-  um_core_free(context, i->dark);
-  um_core_free(context, i->sun);
-  um_core_free(context, i);
+  UM_FREE(context, i->first, i->wavelength, i->bin_width, i->transmission, i->surface, i->dark,
+          i->sun, i);
   *image = NULL;
 }
 
@@ -234,8 +227,7 @@ enum um_status um_optics_image_estimate(struct um_context *context,
       .seconds = share * (seconds_now() - before)};
 done:
   for (size_t i = 0; i < PROBE; i++) {
-    um_core_free(context, row[i].first);
-    um_core_free(context, row[i].share);
+    UM_FREE(context, row[i].first, row[i].share);
   }
   render_clear(context, &r);
   return status;

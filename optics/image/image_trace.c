@@ -78,14 +78,9 @@ void um_optics_tracer_destroy(struct um_context *context, struct um_optics_trace
   if (*tracer == NULL) return;
   struct um_optics_tracer *t = *tracer;
   for (size_t i = 0; t->pencil != NULL && i < t->nthread; i++) {
-    um_core_free(context, t->pencil[i].ray);
-    um_core_free(context, t->pencil[i].hit);
-    um_core_free(context, t->pencil[i].occluded);
+    UM_FREE(context, t->pencil[i].ray, t->pencil[i].hit, t->pencil[i].occluded);
   }
-  um_core_free(context, t->pencil);
-  um_core_free(context, t->end);
-  um_core_free(context, t->share);
-  um_core_free(context, t);
+  UM_FREE(context, t->pencil, t->end, t->share, t);
   *tracer = NULL;
 }
 

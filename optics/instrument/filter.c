@@ -7,8 +7,6 @@
 #include "base/core/csv.h"
 #include "base/core/data.h"
 #include "base/core/interpolation.h"
-#include "base/core/listing.h"
-#include "base/core/words.h"
 
 #define SHORTEST 0.1e-6 /* [m] */
 #define LONGEST  100e-6 /* [m] */
@@ -18,9 +16,7 @@
 void um_instrument_filter_destroy(struct um_context *context, struct um_instrument_filter **filter)
 {
   if (filter == NULL || *filter == NULL) return;
-  um_core_free(context, (*filter)->wavelength);
-  um_core_free(context, (*filter)->transmission);
-  um_core_free(context, *filter);
+  UM_FREE(context, (*filter)->wavelength, (*filter)->transmission, *filter);
   *filter = NULL;
 }
 

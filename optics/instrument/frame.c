@@ -156,8 +156,7 @@ enum um_status um_instrument_frame_create(struct um_context *context,
   sum_pixels(&to, out);
 done:
   um_instrument_kernel_clear(context, &kernel);
-  um_core_free(context, from.value);
-  um_core_free(context, to.value);
+  UM_FREE(context, from.value, to.value);
   if (status != UM_OK) um_instrument_frame_clear(context, out);
   return status;
 }

@@ -156,8 +156,7 @@ done:
 
 void um_instrument_psf_clear(struct um_context *context, struct um_instrument_psf *psf)
 {
-  um_core_free(context, psf->radius);
-  um_core_free(context, psf->value);
+  UM_FREE(context, psf->radius, psf->value);
   psf->radius = psf->value = NULL;
   psf->n = 0;
 }

@@ -157,10 +157,6 @@ enum um_status um_optics_adapt(struct um_context *context, const struct um_optic
   }
 done:
   um_optics_lightcurve_destroy(context, &curve);
-  um_core_free(context, coarse);
-  um_core_free(context, transmission);
-  um_core_free(context, number);
-  um_core_free(context, between.light);
-  um_core_free(context, between.variance);
+  UM_FREE(context, coarse, transmission, number, between.light, between.variance);
   return status;
 }

@@ -24,8 +24,7 @@ void um_optics_between_destroy(struct um_context *context, size_t n,
 {
   for (size_t i = 0; *between != NULL && i < n; i++) {
     um_optics_photons_clear(context, &(*between)[i].photons);
-    um_core_free(context, (*between)[i].sum);
-    um_core_free(context, (*between)[i].variance);
+    UM_FREE(context, (*between)[i].sum, (*between)[i].variance);
   }
   um_core_free(context, *between);
   *between = NULL;

@@ -107,8 +107,6 @@ done:
 void um_optics_exchange_destroy(struct um_context *context, struct um_optics_exchange **exchange)
 {
   if (exchange == NULL || *exchange == NULL) return;
-  um_core_free(context, (*exchange)->closed);
-  um_core_free(context, (*exchange)->count);
-  um_core_free(context, *exchange);
+  UM_FREE(context, (*exchange)->closed, (*exchange)->count, *exchange);
   *exchange = NULL;
 }

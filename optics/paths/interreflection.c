@@ -22,7 +22,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "base/core/golden.h"
 #include "optics/paths/bundle_impl.h"
 #include "optics/paths/exchange_impl.h"

@@ -141,13 +141,9 @@ void um_optics_photon_maps_destroy(struct um_context *context, struct um_optics_
   if (maps == NULL || *maps == NULL) return;
   struct um_optics_photon_maps *m = *maps;
   for (size_t t = 0; m->at != NULL && t < m->ntime; t++) {
-    um_core_free(context, m->at[t].photon);
-    um_core_free(context, m->at[t].beam);
+    UM_FREE(context, m->at[t].photon, m->at[t].beam);
   }
-  um_core_free(context, m->at);
-  um_core_free(context, m->factor);
-  um_core_free(context, m->lobe);
-  um_core_free(context, m);
+  UM_FREE(context, m->at, m->factor, m->lobe, m);
   *maps = NULL;
 }
 

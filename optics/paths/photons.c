@@ -59,9 +59,7 @@ enum um_status um_optics_photons_reserve(struct um_context *context,
     UM_TRY(um_core_allocate(context, nsurface, sizeof *photons->beam, &photons->beam));
   }
   if (nroot <= photons->root_room) return UM_OK;
-  um_core_free(context, photons->photon);
-  um_core_free(context, photons->order);
-  um_core_free(context, photons->brought);
+  UM_FREE(context, photons->photon, photons->order, photons->brought);
   photons->photon = NULL;
   photons->order = NULL;
   photons->brought = NULL;
@@ -74,11 +72,8 @@ enum um_status um_optics_photons_reserve(struct um_context *context,
 
 void um_optics_photons_clear(struct um_context *context, struct um_optics_photons *photons)
 {
-  um_core_free(context, photons->photon);
-  um_core_free(context, photons->first);
-  um_core_free(context, photons->order);
-  um_core_free(context, photons->beam);
-  um_core_free(context, photons->brought);
+  UM_FREE(context, photons->photon, photons->first, photons->order, photons->beam,
+          photons->brought);
   *photons = (struct um_optics_photons){0};
 }
 

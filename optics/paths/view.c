@@ -207,8 +207,7 @@ enum um_status um_optics_view_retrace(struct um_context *context,
   um_core_progress_end(context);
 done:
   if (stage != NULL) um_optics_stage_clear(context, stage);
-  um_core_free(context, stage);
-  um_core_free(context, scratch);
+  UM_FREE(context, stage, scratch);
   return status;
 }
 

@@ -36,8 +36,7 @@ enum um_status um_optics_coarse_create(struct um_context *context,
   um_optics_coarse_bands(bands, nband, coarse, transmission);
   UM_CHECK(um_optics_spectra_create(context, scene, first, count, coarse, nband, out));
 done:
-  um_core_free(context, coarse);
-  um_core_free(context, transmission);
+  UM_FREE(context, coarse, transmission);
   return status;
 }
 

@@ -1,8 +1,6 @@
 /* Skins of creased surfaces, and which of them are drawn patch by patch. */
 #include "optics/radiance/creases.h"
 
-#include <math.h>
-
 #include "base/core/constants.h"
 #include "materials/lobe.h"
 
@@ -90,9 +88,6 @@ void um_optics_creases_destroy(struct um_context *context, struct um_optics_crea
 {
   if (creases == NULL || *creases == NULL) return;
   um_geometry_creases_destroy(context, &(*creases)->patches);
-  um_core_free(context, (*creases)->skin);
-  um_core_free(context, (*creases)->material);
-  um_core_free(context, (*creases)->slope_variance);
-  um_core_free(context, *creases);
+  UM_FREE(context, (*creases)->skin, (*creases)->material, (*creases)->slope_variance, *creases);
   *creases = NULL;
 }

@@ -15,7 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/constants.h"
 #include "base/core/vec.h"
 
 #define NEAR    -0.2 /* cosine outside the Earth beyond which no part of a cell is inside */

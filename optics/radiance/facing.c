@@ -22,12 +22,8 @@ enum um_status um_optics_facing_create(struct um_context *context, size_t nsurfa
 
 void um_optics_facing_clear(struct um_context *context, struct um_optics_facing *facing)
 {
-  um_core_free(context, facing->sight);
-  um_core_free(context, facing->surface);
-  um_core_free(context, facing->lit_error);
-  um_core_free(context, facing->first);
-  um_core_free(context, facing->of);
-  um_core_free(context, facing->seen);
+  UM_FREE(context, facing->sight, facing->surface, facing->lit_error, facing->first, facing->of,
+          facing->seen);
 }
 
 /* Where an instant stands in the arrays of a view. */

@@ -99,11 +99,7 @@ enum um_status um_optics_planck_sum_create(struct um_context *context,
 
 void um_optics_planck_sum_clear(struct um_context *context, struct um_optics_planck_sum *sum)
 {
-  um_core_free(context, sum->weight);
-  um_core_free(context, sum->low);
-  um_core_free(context, sum->end);
-  um_core_free(context, sum->has_rest);
-  um_core_free(context, sum->rest);
+  UM_FREE(context, sum->weight, sum->low, sum->end, sum->has_rest, sum->rest);
 }
 
 void um_optics_planck_sum_add(const struct um_optics_spectra *spectra, double temperature,

@@ -1,7 +1,6 @@
 /* Sums over surfaces that face the same way, and the spectrum of a sum (radiance.c has the
  * equations). All that depends on directions is worked out once for such surfaces; what each brings
  * of its own, areas, temperature, sky and Earth before it, enters linearly. */
-#include <math.h>
 #include <string.h>
 
 #include "base/core/constants.h"

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/core/constants.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #define MOVED 0.15 /* of a cell, either way */
 

@@ -1,7 +1,6 @@
 /* Exchange between patches from view factors, optics and loads; equations in exchange.h. */
 #include "thermal/exchange/exchange.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "thermal/exchange/exchange_group.h"
@@ -186,21 +185,10 @@ void um_thermal_exchange_destroy(struct um_context *context, struct um_thermal_e
 {
   if (exchange == NULL || *exchange == NULL) return;
   struct um_thermal_exchange *x = *exchange;
-  um_core_free(context, x->patch);
-  um_core_free(context, x->area);
+  UM_FREE(context, x->patch, x->area);
   um_thermal_between_clear(context, x->between, x->npose + 1);
   um_thermal_between_clear(context, x->strong, x->npose + 1);
-  um_core_free(context, x->between);
-  um_core_free(context, x->strong);
-  um_core_free(context, x->arriving);
-  um_core_free(context, x->lobe);
-  um_core_free(context, x->emittance);
-  um_core_free(context, x->t);
-  um_core_free(context, x->corner);
-  um_core_free(context, x->weight);
-  um_core_free(context, x->reflected.sun);
-  um_core_free(context, x->reflected.albedo);
-  um_core_free(context, x->reflected.planet);
-  um_core_free(context, x);
+  UM_FREE(context, x->between, x->strong, x->arriving, x->lobe, x->emittance, x->t, x->corner,
+          x->weight, x->reflected.sun, x->reflected.albedo, x->reflected.planet, x);
   *exchange = NULL;
 }

@@ -138,24 +138,15 @@ enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker 
 
 void um_thermal_exchange_maker_destroy(struct um_thermal_exchange_maker *m)
 {
-  um_core_free(m->context, m->emittance);
-  um_core_free(m->context, m->planet);
-  um_core_free(m->context, m->absorptance);
-  um_core_free(m->context, m->reflectance);
-  um_core_free(m->context, m->absorbed);
-  um_core_free(m->context, m->mirror);
-  um_core_free(m->context, m->of_class);
-  um_core_free(m->context, m->open);
-  um_core_free(m->context, m->b);
+  UM_FREE(m->context, m->emittance, m->planet, m->absorptance, m->reflectance, m->absorbed,
+          m->mirror, m->of_class, m->open, m->b);
 }
 
 void um_thermal_between_clear(struct um_context *context, struct um_thermal_between *between,
                               size_t npose)
 {
   for (size_t k = 0; k < npose && between != NULL; k++) {
-    um_core_free(context, between[k].begin);
-    um_core_free(context, between[k].other);
-    um_core_free(context, between[k].area);
+    UM_FREE(context, between[k].begin, between[k].other, between[k].area);
     between[k] = (struct um_thermal_between){0};
   }
 }
@@ -194,8 +185,7 @@ enum um_status um_thermal_exchange_renew(struct um_context *context,
   um_thermal_exchange_take_emittances(&m, of_surface);
   *change = change_of(&m, of_surface);
   if (!(*change > tolerance)) goto done;
-  um_core_free(context, exchange->arriving);
-  um_core_free(context, exchange->emittance);
+  UM_FREE(context, exchange->arriving, exchange->emittance);
   exchange->arriving = arriving;
   exchange->emittance = of_surface;
   arriving = of_surface = NULL;
@@ -204,8 +194,7 @@ enum um_status um_thermal_exchange_renew(struct um_context *context,
   for (size_t pose = 0; pose < exchange->npose; pose++)
     UM_CHECK(um_thermal_exchange_make_infrared(&m, pose));
 done:
-  um_core_free(context, arriving);
-  um_core_free(context, of_surface);
+  UM_FREE(context, arriving, of_surface);
   um_thermal_exchange_maker_destroy(&m);
   return status;
 }

@@ -12,7 +12,6 @@
 #include "base/core/wide.h"
 #include "thermal/exchange/exchange_group.h"
 #include "thermal/exchange/exchange_maker_impl.h"
-#include "thermal/network/network_group.h"
 
 /* What is incident by way of mirrors, of the band in hand. */
 struct mirrored_incident {
@@ -24,10 +23,7 @@ struct mirrored_incident {
 
 static void mirrored_incident_free(struct um_context *context, struct mirrored_incident *a)
 {
-  um_core_free(context, a->set);
-  um_core_free(context, a->begin);
-  um_core_free(context, a->cell);
-  um_core_free(context, a->per_sky);
+  UM_FREE(context, a->set, a->begin, a->cell, a->per_sky);
 }
 
 /* Rays of patch p to the sky, those of a cell added up, each with what its mirrors send on. */

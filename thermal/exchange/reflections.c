@@ -97,8 +97,6 @@ enum um_status um_thermal_reflections(struct um_context *context,
     }
   }
 done:
-  um_core_free(context, root);
-  um_core_free(context, m);
-  um_core_free(context, y);
+  UM_FREE(context, root, m, y);
   return status;
 }

@@ -290,13 +290,8 @@ static void tracer_free(struct tracer *t)
   scene_destroy(t, &t->fixed);
   um_irradiation_normals_clear(t->context, &t->own_normals);
   um_irradiation_sky_destroy(t->context, &t->own_sky);
-  um_core_free(t->context, t->bright);
-  um_core_free(t->context, t->angles);
-  um_core_free(t->context, t->fraction);
-  um_core_free(t->context, t->normal);
-  um_core_free(t->context, t->flux);
-  um_core_free(t->context, t->moments);
-  um_core_free(t->context, t->attitude);
+  UM_FREE(t->context, t->bright, t->angles, t->fraction, t->normal, t->flux, t->moments,
+          t->attitude);
   um_irradiation_loads_destroy(t->context, &t->one);
 }
 

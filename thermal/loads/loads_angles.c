@@ -5,7 +5,6 @@
  *   E_k' = share E_k + E_0 (sum(w L cos P_k free) - share sum(w L cos P_k)) / sum(w L cos)
  *
  * so that those of a surface with nothing before it are the plate's, and with all hidden 0. */
-#include <math.h>
 
 #include "base/core/wide.h"
 #include "thermal/loads/loads_impl.h"

@@ -122,20 +122,8 @@ void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiat
 {
   if (loads == NULL || *loads == NULL) return;
   struct um_irradiation_loads *l = *loads;
-  um_core_free(context, l->t);
-  um_core_free(context, l->sunlit);
-  um_core_free(context, l->irradiance);
-  um_core_free(context, l->sun);
-  um_core_free(context, l->incidence);
-  um_core_free(context, l->by_cosine);
-  um_core_free(context, l->albedo);
-  um_core_free(context, l->planet);
-  um_core_free(context, l->view_factor);
-  um_core_free(context, l->brightness);
-  um_core_free(context, l->gas);
-  um_core_free(context, l->albedo_moments);
-  um_core_free(context, l->planet_moments);
-  um_core_free(context, l->edge);
-  um_core_free(context, l);
+  UM_FREE(context, l->t, l->sunlit, l->irradiance, l->sun, l->incidence, l->by_cosine, l->albedo,
+          l->planet, l->view_factor, l->brightness, l->gas, l->albedo_moments, l->planet_moments,
+          l->edge, l);
   *loads = NULL;
 }

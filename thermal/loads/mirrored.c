@@ -307,21 +307,11 @@ static void tracer_free(struct tracer *t)
   for (size_t k = 0; k < BATCH; k++) {
     struct slot *s = &t->slot[k];
     slot_clear(t, s);
-    um_core_free(t->context, s->ray);
-    um_core_free(t->context, s->hit);
-    um_core_free(t->context, s->way);
-    um_core_free(t->context, s->from);
-    um_core_free(t->context, s->weight);
-    um_core_free(t->context, s->lit);
+    UM_FREE(t->context, s->ray, s->hit, s->way, s->from, s->weight, s->lit);
   }
   um_geometry_visibility_destroy(&t->scene);
   um_geometry_pose_destroy(t->context, &t->fixed);
-  um_core_free(t->context, t->surface);
-  um_core_free(t->context, t->count);
-  um_core_free(t->context, t->attitude);
-  um_core_free(t->context, t->angles);
-  um_core_free(t->context, t->middle);
-  um_core_free(t->context, t->end);
+  UM_FREE(t->context, t->surface, t->count, t->attitude, t->angles, t->middle, t->end);
 }
 
 enum um_status um_irradiation_mirrored_trace(
@@ -371,10 +361,7 @@ void um_irradiation_mirrored_destroy(struct um_context *context,
 {
   if (mirrored == NULL || *mirrored == NULL) return;
   um_geometry_mirror_sets_clear(context, &(*mirrored)->sets);
-  um_core_free(context, (*mirrored)->begin);
-  um_core_free(context, (*mirrored)->sun);
-  um_core_free(context, (*mirrored)->albedo);
-  um_core_free(context, (*mirrored)->planet);
-  um_core_free(context, *mirrored);
+  UM_FREE(context, (*mirrored)->begin, (*mirrored)->sun, (*mirrored)->albedo, (*mirrored)->planet,
+          *mirrored);
   *mirrored = NULL;
 }

@@ -83,9 +83,6 @@ enum um_status um_irradiation_normals_find(struct um_context *context,
 void um_irradiation_normals_clear(struct um_context *context,
                                   struct um_irradiation_normals *normals)
 {
-  um_core_free(context, normals->of);
-  um_core_free(context, normals->example);
-  um_core_free(context, normals->order);
-  um_core_free(context, normals->begin);
+  UM_FREE(context, normals->of, normals->example, normals->order, normals->begin);
   *normals = (struct um_irradiation_normals){0};
 }

@@ -105,9 +105,7 @@ void um_irradiation_sky_destroy(struct um_context *context, struct um_irradiatio
 {
   if (sky == NULL || *sky == NULL) return;
   um_irradiation_normals_clear(context, &(*sky)->normals);
-  um_core_free(context, (*sky)->group);
-  um_core_free(context, (*sky)->freedom);
-  um_core_free(context, *sky);
+  UM_FREE(context, (*sky)->group, (*sky)->freedom, *sky);
   *sky = NULL;
 }
 

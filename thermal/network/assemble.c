@@ -5,18 +5,7 @@
  * The inner side of the walls of a closed body radiates where its part says so; else heat crosses a
  * body only through conduction, its interiors and contacts. */
 #include "geometry/inside.h"
-#include "thermal/network/body_check_impl.h"
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/contact_impl.h"
-#include "thermal/network/graft_impl.h"
-#include "thermal/network/heat_pipe_impl.h"
-#include "thermal/network/heater_impl.h"
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/lump_impl.h"
-#include "thermal/network/mli_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/shell_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 #include "thermal/network/tetgen.h"
 
 /* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
@@ -36,8 +25,7 @@ static enum um_status rest_pose(struct um_thermal_builder *b)
     if (!(angles[j] == other[j] && angles[j] == other[n + j])) angles[j] = 0.0;
   UM_CHECK(um_geometry_pose_create(b->context, b->geometry, angles, &b->pose));
 done:
-  um_core_free(b->context, angles);
-  um_core_free(b->context, other);
+  UM_FREE(b->context, angles, other);
   return status;
 }
 
@@ -79,21 +67,10 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
 static void builder_free(struct um_thermal_builder *b)
 {
   struct um_context *context = b->context;
-  um_core_free(context, b->part);
-  um_core_free(context, b->group);
-  um_core_free(context, b->group_area);
-  um_core_free(context, b->group_law);
-  um_core_free(context, b->group_front);
-  um_core_free(context, b->group_back);
-  um_core_free(context, b->front);
-  um_core_free(context, b->back);
-  um_core_free(context, b->skin);
-  um_core_free(context, b->first_interior);
-  um_core_free(context, b->interior);
-  um_core_free(context, b->behind);
+  UM_FREE(context, b->part, b->group, b->group_area, b->group_law, b->group_front, b->group_back,
+          b->front, b->back, b->skin, b->first_interior, b->interior, b->behind);
   for (int layer = 0; layer < 2; layer++) {
-    um_core_free(context, b->vertex_node[layer]);
-    um_core_free(context, b->vertex_capacity[layer]);
+    UM_FREE(context, b->vertex_node[layer], b->vertex_capacity[layer]);
   }
   um_geometry_pose_destroy(context, &b->pose);
   um_thermal_solids_destroy(context, &b->solid, b->nsolid);

@@ -7,9 +7,7 @@ void um_thermal_body_destroy(struct um_context *context, struct um_thermal_body 
 {
   if (body == NULL || *body == NULL) return;
   for (size_t p = 0; p < (*body)->nplace; p++) {
-    um_core_free(context, (*body)->place[p].name);
-    um_core_free(context, (*body)->place[p].node);
-    um_core_free(context, (*body)->place[p].weight);
+    UM_FREE(context, (*body)->place[p].name, (*body)->place[p].node, (*body)->place[p].weight);
   }
   um_core_free(context, (*body)->place);
   um_thermal_solids_destroy(context, &(*body)->solid, (*body)->nsolid);

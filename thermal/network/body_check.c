@@ -1,8 +1,7 @@
 /* Specs of a body against the geometry, and their ranges; messages name the user's part. */
 #include <stdio.h>
 
-#include "thermal/network/body_check_impl.h"
-#include "thermal/network/interior_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 static const double huge = 1e300;

@@ -6,7 +6,7 @@
  * exact to second order in their difference, as the elements are. */
 #include <math.h>
 
-#include "thermal/network/bulk_law_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include "base/core/constants.h"
 

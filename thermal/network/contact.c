@@ -18,12 +18,9 @@
  * the same way, but all of both places takes part, every node with the nearest point of the other.
  */
 #include "base/core/sort.h"
-#include "thermal/network/contact_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/words.h"
@@ -325,8 +322,7 @@ enum um_status um_thermal_contact_assemble(struct um_thermal_builder *b,
                           contact->a, contact->b);
 done:
   for (int i = 0; i < 2; i++) {
-    um_core_free(b->context, side[i].sample);
-    um_core_free(b->context, side[i].patch);
+    UM_FREE(b->context, side[i].sample, side[i].patch);
   }
   return status;
 }

@@ -4,7 +4,7 @@
  *
  *   C_i dT_i/dt = P_i + sum GL_ij (T_j - T_i) + s sum GR_ij (T_j^4 - T_i^4) + loads of its
  * surfaces. */
-#include "thermal/network/graft_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
 #include <string.h>

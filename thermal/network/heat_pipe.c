@@ -8,7 +8,7 @@
  * 14: conductances of walls and wicks about an isothermal vapour. No limit of transport.) A node
  * that stores hardly anything couples its neighbours one by one; an arithmetic one would couple
  * each with each. */
-#include "thermal/network/heat_pipe_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
 

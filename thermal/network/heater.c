@@ -1,14 +1,10 @@
 /* Heat that a body makes itself: powers and power histories of its walls and interiors, thermostat
  * heaters. In a wall it is spread by area over its structure, which lies under MLI; a wall that MLI
  * leaves out cannot take any. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "thermal/network/heater_impl.h"
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Nodes of a place with their shares, sum 1. */
 struct share {
@@ -19,8 +15,7 @@ struct share {
 
 static void share_free(struct um_context *context, struct share *share)
 {
-  um_core_free(context, share->node);
-  um_core_free(context, share->weight);
+  UM_FREE(context, share->node, share->weight);
 }
 
 /* "part NAME, group G" for messages, or of another place of it. */

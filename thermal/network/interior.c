@@ -12,8 +12,7 @@
  *
  * With a conductivity it is a solid that fills the part (solid.c): each facet holds the nodes at
  * its corners. */
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
 #include <string.h>

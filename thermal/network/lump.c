@@ -4,8 +4,7 @@
  *
  * A group whose MLI wraps the interior is its blanket: the node has the blanket's capacity, and
  * the wall is left out. */
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/lump_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <stdio.h>
 

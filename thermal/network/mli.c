@@ -9,8 +9,7 @@
  *
  * One skin node per facet on finite-element parts, one per group on lumped parts. What is wrapped
  * is the wall (e* A / 3 to each corner) or, where the wall is left out, an interior. */
-#include "thermal/network/mli_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -67,19 +67,14 @@ static void heat_free(struct um_thermal_network *network)
 {
   struct um_context *context = network->context;
   for (size_t k = 0; k < network->nsource; k++) {
-    um_core_free(context, network->source[k].at.node);
-    um_core_free(context, network->source[k].at.weight);
-    um_core_free(context, network->source[k].t);
-    um_core_free(context, network->source[k].power);
+    UM_FREE(context, network->source[k].at.node, network->source[k].at.weight, network->source[k].t,
+            network->source[k].power);
   }
   for (size_t k = 0; k < network->nthermostat; k++) {
-    um_core_free(context, network->thermostat[k].at.node);
-    um_core_free(context, network->thermostat[k].at.weight);
-    um_core_free(context, network->thermostat[k].sensor.node);
-    um_core_free(context, network->thermostat[k].sensor.weight);
+    UM_FREE(context, network->thermostat[k].at.node, network->thermostat[k].at.weight,
+            network->thermostat[k].sensor.node, network->thermostat[k].sensor.weight);
   }
-  um_core_free(context, network->source);
-  um_core_free(context, network->thermostat);
+  UM_FREE(context, network->source, network->thermostat);
 }
 
 void um_thermal_network_destroy(struct um_thermal_network **network)
@@ -89,12 +84,7 @@ void um_thermal_network_destroy(struct um_thermal_network **network)
   struct um_context *context = n->context;
   for (size_t i = 0; i < n->nnode; i++) um_core_free(context, n->node[i].name);
   for (size_t k = 0; k < n->nsection; k++) um_core_free(context, n->section[k].name);
-  um_core_free(context, n->section);
-  um_core_free(context, n->node);
-  um_core_free(context, n->conductor);
-  um_core_free(context, n->radiator);
-  um_core_free(context, n->surface);
-  um_core_free(context, n->attached);
+  UM_FREE(context, n->section, n->node, n->conductor, n->radiator, n->surface, n->attached);
   heat_free(n);
   um_thermal_network_laws_free(n);
   um_core_free(context, n);

@@ -119,10 +119,7 @@ void um_thermal_network_laws_free(struct um_thermal_network *network)
   for (size_t k = 0; k < network->nlink_law; k++) um_core_free(context, network->link_table[k]);
   for (size_t k = 0; k < network->ncapacity_law; k++)
     um_core_free(context, network->capacity_law[k]);
-  um_core_free(context, network->link_law);
-  um_core_free(context, network->link_table);
-  um_core_free(context, network->capacity_law);
-  um_core_free(context, network->store);
+  UM_FREE(context, network->link_law, network->link_table, network->capacity_law, network->store);
 }
 
 bool um_thermal_network_laws_equal(const struct um_thermal_network *a,

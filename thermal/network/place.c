@@ -5,9 +5,7 @@
  *   part.wall, part.group.wall    the wall under MLI, where there is one
  *   part.inside, part.group.inside  the inner layer of a wall that radiates inside and has one
  *   part.NAME                     the interior of that name */
-#include "thermal/network/interior_impl.h"
-#include "thermal/network/place_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 #include <string.h>
 

@@ -8,8 +8,7 @@
  * a third of the facet to each corner (a consistent mass would violate the maximum principle at
  * short steps). Negative conductances at obtuse angles are part of the method. A linear field is
  * reproduced exactly (test thermal/network/shell). */
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/shell_impl.h"
+#include "thermal/network/builder_impl.h"
 
 void um_thermal_shell_element(const struct um_vec3 corner[3], double kt, double out[3])
 {

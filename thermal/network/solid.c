@@ -5,8 +5,7 @@
  * The surface keeps its facets, so loads and emission lie on the surface vertices as on a shell.
  * A linear field is reproduced exactly (test thermal/network/solid). Heat made inside is a volume
  * source, spread by volume: node i takes V_i / V of it. */
-#include "thermal/network/bulk_law_impl.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 #include "thermal/network/tetgen.h"
 
 #include <string.h>
@@ -66,9 +65,7 @@ static enum um_status gather(const struct um_thermal_builder *b, size_t part, st
 
 static void surface_free(struct um_context *context, struct surface *s)
 {
-  um_core_free(context, s->local);
-  um_core_free(context, s->vertex);
-  um_core_free(context, s->facet);
+  UM_FREE(context, s->local, s->vertex, s->facet);
 }
 
 /* The volume of every vertex: a quarter of that of its tetrahedra [m^3]; returns their sum. */

@@ -193,8 +193,7 @@ enum um_status um_thermal_tetgen_fill_limited(struct um_context *context, const 
   t = NULL;
 done:
   um_thermal_tetrahedra_destroy(context, &t);
-  um_core_free(context, in.answer);
-  um_core_free(context, s.hole);
+  UM_FREE(context, in.answer, s.hole);
   return status;
 }
 
@@ -212,8 +211,6 @@ void um_thermal_tetrahedra_destroy(struct um_context *context,
                                    struct um_thermal_tetrahedra **tetrahedra)
 {
   if (tetrahedra == NULL || *tetrahedra == NULL) return;
-  um_core_free(context, (*tetrahedra)->vertex);
-  um_core_free(context, (*tetrahedra)->corner);
-  um_core_free(context, *tetrahedra);
+  UM_FREE(context, (*tetrahedra)->vertex, (*tetrahedra)->corner, *tetrahedra);
   *tetrahedra = NULL;
 }

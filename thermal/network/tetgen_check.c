@@ -2,7 +2,6 @@
  * out of range, coincident vertices, facets without area, open or non-manifold edges, neighbours
  * of opposite orientation, surfaces turned inside out. Cavities (parts of the surface that face
  * inward) get a seed so that they stay empty. */
-#include <stdlib.h>
 
 #include "base/core/sort.h"
 #include "thermal/network/tetgen_check_impl.h"
@@ -207,10 +206,7 @@ static enum um_status check_volume(struct um_context *context, struct um_thermal
   for (size_t v = 0; v < s->nvertex; v++)
     if (volume[v] < 0.0) add_hole(s, largest[v]);
 done:
-  um_core_free(context, parent);
-  um_core_free(context, largest);
-  um_core_free(context, volume);
-  um_core_free(context, area);
+  UM_FREE(context, parent, largest, volume, area);
   return status;
 }
 

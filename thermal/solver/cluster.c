@@ -107,10 +107,7 @@ enum um_status um_thermal_system_clusters_build(struct um_thermal_system *system
     UM_CHECK(cluster_fill(system, cluster, list, m, seen, (uint32_t)system->ncluster, touched));
   }
 done:
-  um_core_free(context, mark);
-  um_core_free(context, list);
-  um_core_free(context, seen);
-  um_core_free(context, touched);
+  UM_FREE(context, mark, list, seen, touched);
   return status;
 }
 
@@ -119,13 +116,7 @@ void um_thermal_system_clusters_destroy(struct um_thermal_system *system)
   struct um_context *context = system->context;
   for (size_t k = 0; k < system->ncluster; k++) {
     struct um_thermal_cluster *c = &system->cluster[k];
-    um_core_free(context, c->node);
-    um_core_free(context, c->neighbour);
-    um_core_free(context, c->matrix);
-    um_core_free(context, c->response);
-    um_core_free(context, c->balance);
-    um_core_free(context, c->pivot);
-    um_core_free(context, c->slot);
+    UM_FREE(context, c->node, c->neighbour, c->matrix, c->response, c->balance, c->pivot, c->slot);
   }
   um_core_free(context, system->cluster);
 }

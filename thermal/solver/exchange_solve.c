@@ -42,10 +42,7 @@ void um_thermal_exchange_solver_destroy(struct um_thermal_exchange_solver **solv
 {
   if (solver == NULL || *solver == NULL) return;
   struct um_context *context = (*solver)->system->context;
-  um_core_free(context, (*solver)->v);
-  um_core_free(context, (*solver)->z);
-  um_core_free(context, (*solver)->b);
-  um_core_free(context, *solver);
+  UM_FREE(context, (*solver)->v, (*solver)->z, (*solver)->b, *solver);
   *solver = NULL;
 }
 

@@ -9,7 +9,6 @@
  * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
  * closes to the residual of Newton's iteration, which is solved to NEWTON_SHARE
  * (integrator_create.c) of the step's error test instead of the usual 0.1. */
-#include <math.h>
 #include <string.h>
 
 #include "thermal/solver/integrator_data_impl.h"

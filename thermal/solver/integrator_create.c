@@ -119,13 +119,7 @@ void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator)
   if (i->dense != NULL) N_VDestroy(i->dense);
   if (i->quadrature != NULL) N_VDestroy(i->quadrature);
   if (i->sun != NULL) SUNContext_Free(&i->sun);
-  um_core_free(context, i->stop);
-  um_core_free(context, i->cube_before);
-  um_core_free(context, i->power4_before);
-  um_core_free(context, i->mean_slope);
-  um_core_free(context, i->slope_before);
-  um_core_free(context, i->root);
-  um_core_free(context, i->heating);
-  um_core_free(context, i);
+  UM_FREE(context, i->stop, i->cube_before, i->power4_before, i->mean_slope, i->slope_before,
+          i->root, i->heating, i);
   *integrator = NULL;
 }

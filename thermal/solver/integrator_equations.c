@@ -1,6 +1,5 @@
 /* What CVODES asks of a heat balance: the rate, Newton's matrix, what is left to a thermostat's
  * next switching, and the heat over the satellite's border. */
-#include <math.h>
 #include <string.h>
 
 #include <sunmatrix/sunmatrix_sparse.h>

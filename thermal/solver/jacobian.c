@@ -127,8 +127,7 @@ enum um_status um_thermal_system_pattern_build(struct um_thermal_system *system)
   system->nnonzero = at;
   UM_CHECK(slots_build(system));
 done:
-  um_core_free(context, first);
-  um_core_free(context, next);
+  UM_FREE(context, first, next);
   return status;
 }
 

@@ -85,8 +85,7 @@ static enum um_status cholmod_take(struct um_thermal_linear *linear)
   }
   UM_CHECK(um_thermal_cholmod_create(context, n, column, row, &linear->cholmod));
 done:
-  um_core_free(context, column);
-  um_core_free(context, row);
+  UM_FREE(context, column, row);
   return status;
 }
 
@@ -139,12 +138,7 @@ void um_thermal_linear_destroy(struct um_thermal_linear **linear)
   struct um_context *context = l->system->context;
   um_thermal_klu_destroy(context, &l->klu);
   um_thermal_cholmod_destroy(context, &l->cholmod);
-  um_core_free(context, l->mirror);
-  um_core_free(context, l->lower);
-  um_core_free(context, l->scale);
-  um_core_free(context, l->basis);
-  um_core_free(context, l->combined);
-  um_core_free(context, l);
+  UM_FREE(context, l->mirror, l->lower, l->scale, l->basis, l->combined, l);
   *linear = NULL;
 }
 

@@ -77,10 +77,7 @@ void um_thermal_cholmod_destroy(struct um_context *context, struct um_thermal_ch
     c->library->free_dense(&c->work2, &c->common);
     c->library->finish(&c->common);
   }
-  um_core_free(context, c->matrix.p);
-  um_core_free(context, c->matrix.i);
-  um_core_free(context, c->matrix.x);
-  um_core_free(context, c);
+  UM_FREE(context, c->matrix.p, c->matrix.i, c->matrix.x, c);
   *cholmod = NULL;
 }
 

@@ -48,9 +48,7 @@ void um_thermal_klu_destroy(struct um_context *context, struct um_thermal_klu **
   if (*klu == NULL) return;
   if ((*klu)->numeric != NULL) klu_l_free_numeric(&(*klu)->numeric, &(*klu)->common);
   if ((*klu)->symbolic != NULL) klu_l_free_symbolic(&(*klu)->symbolic, &(*klu)->common);
-  um_core_free(context, (*klu)->column);
-  um_core_free(context, (*klu)->row);
-  um_core_free(context, *klu);
+  UM_FREE(context, (*klu)->column, (*klu)->row, *klu);
   *klu = NULL;
 }
 

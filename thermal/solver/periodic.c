@@ -299,12 +299,8 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   if (periodic->part != NULL) N_VDestroy(periodic->part);
   if (periodic->one != NULL) N_VDestroy(periodic->one);
   if (periodic->sun != NULL) SUNContext_Free(&periodic->sun);
-  um_core_free(context, periodic->start);
-  um_core_free(context, periodic->end);
-  um_core_free(context, periodic->means.cube);
-  um_core_free(context, periodic->means.power4);
-  um_core_free(context, periodic->jacobian);
-  um_core_free(context, periodic->matrix);
+  UM_FREE(context, periodic->start, periodic->end, periodic->means.cube, periodic->means.power4,
+          periodic->jacobian, periodic->matrix);
   um_thermal_integrator_destroy(&periodic->integrator);
   um_thermal_system_destroy(&periodic->system);
 }

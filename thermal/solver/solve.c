@@ -62,10 +62,7 @@ static enum um_status history_create(struct um_context *context, size_t ntime, s
 void um_thermal_history_destroy(struct um_context *context, struct um_thermal_history **history)
 {
   if (history == NULL || *history == NULL) return;
-  um_core_free(context, (*history)->t);
-  um_core_free(context, (*history)->temperature);
-  um_core_free(context, (*history)->heating);
-  um_core_free(context, *history);
+  UM_FREE(context, (*history)->t, (*history)->temperature, (*history)->heating, *history);
   *history = NULL;
 }
 

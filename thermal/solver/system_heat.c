@@ -55,9 +55,7 @@ void um_thermal_system_heat_destroy(struct um_thermal_system *system)
 {
   for (size_t k = 0; k < system->nthermostat; k++)
     um_core_free(system->context, system->thermostat[k].slot);
-  um_core_free(system->context, system->thermostat);
-  um_core_free(system->context, system->source);
-  um_core_free(system->context, system->made);
+  UM_FREE(system->context, system->thermostat, system->source, system->made);
 }
 
 /* t [s] from `from`: the difference of two late times keeps its digits. */

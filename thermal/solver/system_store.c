@@ -70,10 +70,8 @@ enum um_status um_thermal_system_store_build(struct um_thermal_system *system)
 void um_thermal_system_store_destroy(struct um_thermal_system *system)
 {
   if (system->store == NULL) return;
-  um_core_free(system->context, system->store->start);
-  um_core_free(system->context, system->store->share);
-  um_core_free(system->context, system->store->content);
-  um_core_free(system->context, system->store);
+  UM_FREE(system->context, system->store->start, system->store->share, system->store->content,
+          system->store);
 }
 
 /* Integral of r from 0 K to T [K], and r there. */

@@ -66,8 +66,7 @@ enum um_status um_diagnosis_report_channel_metrics(struct um_context *context,
   UM_CHECK(um_compare_metrics_compute(context, quantity, n, residual, NULL, 0, fmax(fitted, 0.0),
                                       NULL, out));
 done:
-  um_core_free(context, row);
-  um_core_free(context, residual);
+  UM_FREE(context, row, residual);
   return status;
 }
 

@@ -2,7 +2,7 @@
  *
  * The text is the user's own with its comments; --set, --with and --without stand in it, names of
  * files lead from the new folder, fitted nuisances and effects are entries of `effects`. */
-#include "evidence/diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -83,16 +83,12 @@ enum um_status um_diagnosis_report_improved_write(struct um_context *context,
   UM_CHECK(collect(context, diagnosis, &use, &count));
   UM_CHECK(um_model_scenario_text(context, diagnosis->forward->model, use, count,
                                   &diagnosis->forward->options, folder, &text));
-  FILE *file = fopen(name, "wb");
-  if (file == NULL)
-    UM_CHECK(um_core_fail(context, UM_ERR_IO, "%s: cannot be written: %s", name, strerror(errno)));
+  FILE *file;
+  UM_CHECK(um_core_file_create(context, name, &file));
   put_head(file, diagnosis, command, version);
   fputs(text, file);
   status = um_core_file_close(context, "improved/scenario.yaml", &file);
 done:
-  um_core_free(context, folder);
-  um_core_free(context, name);
-  um_core_free(context, text);
-  um_core_free(context, use);
+  UM_FREE(context, folder, name, text, use);
   return status;
 }

@@ -1,5 +1,5 @@
 /* Pieces of diagnosis.json: texts, times, uses of effects with their values. */
-#include "evidence/diagnosis/report/json_pieces_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include <math.h>
 
@@ -7,41 +7,26 @@
 #include "evidence/diagnosis/value_text.h"
 #include "evidence/measurements/time_text.h"
 
-void um_diagnosis_report_json_text(FILE *file, const char *before, const char *key,
-                                   const char *text)
-{
-  fprintf(file, "%s\"%s\": ", before, key);
-  if (text == NULL)
-    fputs("null", file);
-  else
-    um_core_json_string(file, text);
-}
-
 void um_diagnosis_report_json_time(FILE *file, const char *before, const char *key, double t_tai)
 {
   char text[40];
   if (isfinite(t_tai)) um_compare_time_text(t_tai, text);
-  um_diagnosis_report_json_text(file, before, key, isfinite(t_tai) ? text : NULL);
-}
-
-void um_diagnosis_report_json_bool(FILE *file, const char *before, const char *key, bool value)
-{
-  fprintf(file, "%s\"%s\": %s", before, key, value ? "true" : "false");
+  um_core_json_text(file, before, key, isfinite(t_tai) ? text : NULL);
 }
 
 void um_diagnosis_report_json_use(FILE *file, const struct um_effect *effect, const char *target)
 {
-  um_diagnosis_report_json_text(file, "", "effect", effect->name);
-  um_diagnosis_report_json_text(file, ", ", "target", target);
+  um_core_json_text(file, "", "effect", effect->name);
+  um_core_json_text(file, ", ", "target", target);
 }
 
 void um_diagnosis_report_json_parameter(FILE *file, const struct um_effect_parameter *parameter,
                                         double value, double sigma)
 {
-  um_diagnosis_report_json_text(file, "{", "name", parameter->name);
+  um_core_json_text(file, "{", "name", parameter->name);
   um_core_json_field(file, ", ", "value", value);
   um_core_json_field(file, ", ", "sigma", sigma);
-  um_diagnosis_report_json_text(file, ", ", "unit", parameter->unit);
+  um_core_json_text(file, ", ", "unit", parameter->unit);
 }
 
 /* With what the scenario states as a whole, where it states something. */
@@ -55,11 +40,11 @@ void um_diagnosis_report_json_parameters(FILE *file, const struct um_diagnosis *
     fputs(p > 0 ? ", " : "", file);
     um_diagnosis_report_json_parameter(file, &effect->parameters[p], value[p], sigma[p]);
     if (um_diagnosis_whole_find(d->forward, effect, target, p, value[p], sigma[p], &whole)) {
-      um_diagnosis_report_json_text(file, ", \"whole\": {", "what", whole.what);
+      um_core_json_text(file, ", \"whole\": {", "what", whole.what);
       um_core_json_field(file, ", ", "value", whole.value);
       um_core_json_field(file, ", ", "sigma", whole.sigma);
       um_core_json_field(file, ", ", "instead_of", whole.instead_of);
-      um_diagnosis_report_json_text(file, ", ", "unit", whole.unit);
+      um_core_json_text(file, ", ", "unit", whole.unit);
       fputc('}', file);
     }
     fputc('}', file);

@@ -1,28 +1,25 @@
 /* The end of diagnosis.json: what others replaced, what the residual looks like, what to measure
  * next, missing heat, cost. */
-#include "evidence/diagnosis/report/json_rest_impl.h"
-
-#include <math.h>
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include "base/core/json.h"
-#include "evidence/diagnosis/report/json_pieces_impl.h"
 
 /* The fields of an observation that tells two explanations apart. */
 static void json_next_fields(FILE *file, const struct um_diagnosis_next *next)
 {
-  um_diagnosis_report_json_text(file, "", "what", next->what);
+  um_core_json_text(file, "", "what", next->what);
   if (next->what != NULL) {
-    um_diagnosis_report_json_text(file, ", ", "quantity", um_compare_quantity_name(next->quantity));
-    um_diagnosis_report_json_text(file, ", ", "of", next->of);
-    um_diagnosis_report_json_text(file, ", ", "segment", um_compare_segment_name(next->segment));
+    um_core_json_text(file, ", ", "quantity", um_compare_quantity_name(next->quantity));
+    um_core_json_text(file, ", ", "of", next->of);
+    um_core_json_text(file, ", ", "segment", um_compare_segment_name(next->segment));
     um_core_json_field(file, ", ", "airmass_above", next->airmass);
     um_core_json_field(file, ", ", "sigma", next->sigma);
-    um_diagnosis_report_json_text(file, ", ", "unit", um_compare_quantity_unit(next->quantity));
+    um_core_json_text(file, ", ", "unit", um_compare_quantity_unit(next->quantity));
     um_core_json_field(file, ", ", "chi2_difference_per_observation", next->chi2_difference);
     um_diagnosis_report_json_time(file, ", ", "from_utc", next->from);
     um_diagnosis_report_json_time(file, ", ", "to_utc", next->to);
   }
-  um_diagnosis_report_json_text(file, ", ", "told_apart_by", next->told_apart_by);
+  um_core_json_text(file, ", ", "told_apart_by", next->told_apart_by);
 }
 
 /* For the alternative that is hardest to tell, then for each of them. */
@@ -40,9 +37,8 @@ void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d)
   for (size_t i = 0; i < d->nnext; i++) {
     const struct um_diagnosis_next *next = &d->next_of[i];
     const char *winner = d->candidates->candidate[d->step[next->step].candidate].name;
-    um_diagnosis_report_json_text(file, i > 0 ? ",\n    {" : "\n    {", "effect", winner);
-    um_diagnosis_report_json_text(file, ", ", "alternative",
-                                  d->candidates->candidate[next->candidate].name);
+    um_core_json_text(file, i > 0 ? ",\n    {" : "\n    {", "effect", winner);
+    um_core_json_text(file, ", ", "alternative", d->candidates->candidate[next->candidate].name);
     fputs(", ", file);
     json_next_fields(file, next);
     fputc('}', file);
@@ -58,10 +54,10 @@ void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_
     fputs("null", file);
     return;
   }
-  um_diagnosis_report_json_text(file, "{", "channel", r->channel);
+  um_core_json_text(file, "{", "channel", r->channel);
   um_core_json_field(file, ", ", "chi2_red", r->chi2_reduced);
   um_core_json_field(file, ", ", "mean_in_sigma", r->mean);
-  um_diagnosis_report_json_text(file, ", ", "coordinate", r->coordinate);
+  um_core_json_text(file, ", ", "coordinate", r->coordinate);
   um_core_json_field(file, ", ", "p", r->p);
   fputc('}', file);
 }
@@ -70,10 +66,9 @@ void um_diagnosis_report_json_missed(FILE *file, const struct um_diagnosis *d)
 {
   fputs(",\n  \"not_tried\": [", file);
   for (size_t i = 0; i < d->nmissed; i++) {
-    um_diagnosis_report_json_text(file, i > 0 ? ",\n    {" : "\n    {", "candidate",
-                                  d->missed[i].name);
-    um_diagnosis_report_json_text(file, ", ", "why", d->missed[i].why);
-    um_diagnosis_report_json_bool(file, ", ", "tested", d->missed[i].tested);
+    um_core_json_text(file, i > 0 ? ",\n    {" : "\n    {", "candidate", d->missed[i].name);
+    um_core_json_text(file, ", ", "why", d->missed[i].why);
+    um_core_json_bool(file, ", ", "tested", d->missed[i].tested);
     fputc('}', file);
   }
   fputc(']', file);
@@ -88,7 +83,7 @@ void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *
     um_diagnosis_report_json_use(file, s->addition.effect, s->addition.target);
     um_diagnosis_report_json_parameters(file, d, s->addition.effect, s->addition.target,
                                         s->addition.value, s->sigma);
-    um_diagnosis_report_json_bool(file, ", ", "alone", s->alone);
+    um_core_json_bool(file, ", ", "alone", s->alone);
     um_core_json_field(file, ", ", "chi2", s->chi2);
     um_core_json_field(file, ", ", "bic", s->bic);
     um_core_json_field(file, ", ", "bic_behind", s->bic - d->bic_after);
@@ -99,7 +94,7 @@ void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *
 
 static void json_heat(FILE *file, const struct um_missing_heat *heat)
 {
-  um_diagnosis_report_json_text(file, "", "part", heat->place);
+  um_core_json_text(file, "", "part", heat->place);
   um_diagnosis_report_json_time(file, ", ", "start_utc", heat->start);
   um_core_json_field(file, ", ", "start_sigma_s", heat->start_sigma);
   um_diagnosis_report_json_time(file, ", ", "stop_utc", heat->stop);
@@ -127,10 +122,10 @@ void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_he
     fputs("null", file);
     return;
   }
-  um_diagnosis_report_json_text(file, "{", "coordinate", u->coordinate);
+  um_core_json_text(file, "{", "coordinate", u->coordinate);
   um_core_json_field(file, ", ", "p", u->p);
-  um_diagnosis_report_json_text(file, ", ", "channel", u->channel);
-  um_diagnosis_report_json_bool(file, ", ", "found", u->found);
+  um_core_json_text(file, ", ", "channel", u->channel);
+  um_core_json_bool(file, ", ", "found", u->found);
   um_core_json_field(file, ", ", "chi2_before", u->chi2_before);
   um_core_json_field(file, ", ", "chi2_after", u->chi2_after);
   for (size_t i = 0; i < u->nheat; i++) {

@@ -2,18 +2,14 @@
  * residuals of both. The script is kept beside them. */
 #include "evidence/diagnosis/report/plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "evidence/comparison/figures.h"
 #include "evidence/comparison/shade.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/plot_frame_impl.h"
-#include "evidence/diagnosis/report/plot_ranking_impl.h"
-#include "orbit/time.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #define FEW 300 /* observations up to which they are drawn over the curves */
 

@@ -1,5 +1,5 @@
 /* The axis of time of a diagnosis, and its verdict as a title. */
-#include "evidence/diagnosis/report/plot_frame_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -8,8 +8,7 @@
 #include "base/inference/distributions.h"
 #include "evidence/comparison/shade.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/plot_frame_impl.h"
-#include "evidence/diagnosis/report/plot_ranking_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 #define BARS 15
 

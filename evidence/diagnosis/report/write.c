@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "base/core/constants.h"
+#include "base/core/csv.h"
 #include "base/core/file.h"
-#include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/improved_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "evidence/measurements/time_text.h"
 
@@ -27,32 +27,28 @@ static void ranking_rows(FILE *file, const struct um_sensitivity_candidate *cand
   size_t n = candidate->is_switch || score == NULL ? 0 : candidate->ncolumn;
   for (size_t k = 0; k < (n > 0 ? n : 1); k++) {
     if (rank > 0) fprintf(file, "%zu", rank);
-    fputc(',', file);
-    um_compare_csv_text(file, candidate->effect->name);
-    fputc(',', file);
-    um_compare_csv_text(file, candidate->target != NULL ? candidate->target : "");
+    um_core_csv_put_text(file, candidate->effect->name, "");
+    um_core_csv_put_text(file, candidate->target != NULL ? candidate->target : "", "");
     const double figure[] = {
         score == NULL ? (double)NAN : score->statistic, score == NULL ? (double)NAN : score->dof,
         score == NULL ? (double)NAN : score->p, score == NULL ? (double)NAN : score->p_corrected,
         score == NULL ? (double)NAN : score->kept};
     for (size_t i = 0; i < sizeof figure / sizeof figure[0]; i++)
-      um_compare_csv_number(file, figure[i]);
+      um_core_csv_put_number(file, figure[i]);
     if (n > 0) {
       const struct um_effect_parameter *parameter =
           &candidate->effect->parameters[candidate->parameter[k]];
       double value, sigma;
       um_diagnosis_report_estimate(candidate, score, k, &value, &sigma);
-      fputc(',', file);
-      um_compare_csv_text(file, parameter->name);
-      fputc(',', file);
-      um_compare_csv_text(file, parameter->unit);
-      um_compare_csv_number(file, value);
-      um_compare_csv_number(file, sigma);
+      um_core_csv_put_text(file, parameter->name, "");
+      um_core_csv_put_text(file, parameter->unit, "");
+      um_core_csv_put_number(file, value);
+      um_core_csv_put_number(file, sigma);
     } else {
       fputs(",,,,", file);
     }
     fprintf(file, ",%s,", state_of(candidate, score));
-    um_compare_csv_text(file, candidate->why != NULL ? candidate->why : "");
+    um_core_csv_put(file, candidate->why != NULL ? candidate->why : "", "");
     fputc('\n', file);
   }
 }
@@ -95,15 +91,15 @@ static void fit_row(const struct um_diagnosis *d, size_t c, size_t i, FILE *file
   char time[40];
   um_compare_time_text(f->observations.t[i], time);
   fprintf(file, "%s,%s,", time, um_compare_quantity_name(channel->quantity));
-  um_compare_csv_text(file, channel->of);
-  um_compare_csv_number(file, f->measurements->row[f->observations.row[i]].value);
-  um_compare_csv_number(file, row_sigma(f, i, channel->quantity));
-  um_compare_csv_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_before[i]));
-  um_compare_csv_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_after[i]));
-  um_compare_csv_number(file, (f->observations.measured[i] - d->value_before[i]) /
-                                  f->observations.sigma[i]);
-  um_compare_csv_number(file, (f->observations.measured[i] - d->value_after[i]) /
-                                  f->observations.sigma[i]);
+  um_core_csv_put(file, channel->of, "");
+  um_core_csv_put_number(file, f->measurements->row[f->observations.row[i]].value);
+  um_core_csv_put_number(file, row_sigma(f, i, channel->quantity));
+  um_core_csv_put_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_before[i]));
+  um_core_csv_put_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_after[i]));
+  um_core_csv_put_number(file, (f->observations.measured[i] - d->value_before[i]) /
+                                   f->observations.sigma[i]);
+  um_core_csv_put_number(file, (f->observations.measured[i] - d->value_after[i]) /
+                                   f->observations.sigma[i]);
   fputc('\n', file);
 }
 
@@ -133,9 +129,9 @@ static void write_heat(const struct um_missing_heat_unexplained *u, FILE *file)
       um_compare_time_text(u->heat[h].t[i], from);
       um_compare_time_text(u->heat[h].t[i + 1], to);
       fprintf(file, "%s,%s,", from, to);
-      um_compare_csv_text(file, u->heat[h].place);
-      um_compare_csv_number(file, u->heat[h].heat[i]);
-      um_compare_csv_number(file, u->heat[h].sigma[i]);
+      um_core_csv_put(file, u->heat[h].place, "");
+      um_core_csv_put_number(file, u->heat[h].heat[i]);
+      um_core_csv_put_number(file, u->heat[h].sigma[i]);
       fputc('\n', file);
     }
 }

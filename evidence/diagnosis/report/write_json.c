@@ -1,13 +1,10 @@
 /* diagnosis.json. */
 #include "evidence/diagnosis/report/write_json.h"
 
-#include <math.h>
-
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/diagnosis/report/json_pieces_impl.h"
-#include "evidence/diagnosis/report/json_rest_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 
 /* By channel; value NULL: null. */
 static enum um_status json_metrics(struct um_context *context, FILE *file,
@@ -72,7 +69,7 @@ static void json_score(FILE *file, const struct um_inference_score *score)
   um_core_json_field(file, ", ", "p", score->p);
   um_core_json_field(file, ", ", "p_corrected", score->p_corrected);
   um_core_json_field(file, ", ", "kept", score->kept);
-  um_diagnosis_report_json_bool(file, ", ", "absorbed", score->absorbed);
+  um_core_json_bool(file, ", ", "absorbed", score->absorbed);
 }
 
 static void json_alternative(FILE *file, const struct um_diagnosis *d,
@@ -83,7 +80,7 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
   fputc('{', file);
   um_diagnosis_report_json_use(file, candidate->effect, candidate->target);
   json_score(file, &alternative->score);
-  um_diagnosis_report_json_bool(file, ", ", "fitted", alternative->fitted);
+  um_core_json_bool(file, ", ", "fitted", alternative->fitted);
   if (alternative->fitted) {
     um_core_json_field(file, ", ", "chi2", alternative->chi2);
     um_core_json_field(file, ", ", "bic", alternative->bic);
@@ -93,13 +90,13 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
                                         alternative->value, alternative->sigma);
   }
   um_core_json_field(file, ", ", "chi2_difference", alternative->chi2_difference);
-  um_diagnosis_report_json_bool(file, ", ", "indistinguishable", alternative->indistinguishable);
-  um_diagnosis_report_json_bool(file, ", ", "not_tried", alternative->not_tried);
-  um_diagnosis_report_json_bool(file, ", ", "implausible", alternative->implausible);
-  um_diagnosis_report_json_text(file, ", ", "excluded_by",
-                                alternative->excluded_by_prior   ? "prior"
-                                : alternative->excluded_by_range ? "range"
-                                                                 : NULL);
+  um_core_json_bool(file, ", ", "indistinguishable", alternative->indistinguishable);
+  um_core_json_bool(file, ", ", "not_tried", alternative->not_tried);
+  um_core_json_bool(file, ", ", "implausible", alternative->implausible);
+  um_core_json_text(file, ", ", "excluded_by",
+                    alternative->excluded_by_prior   ? "prior"
+                    : alternative->excluded_by_range ? "range"
+                                                     : NULL);
   fputc('}', file);
 }
 
@@ -126,8 +123,7 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   um_diagnosis_report_json_use(file, step->addition.effect, step->addition.target);
   um_diagnosis_report_json_parameters(file, d, step->addition.effect, step->addition.target,
                                       step->addition.value, step->sigma);
-  um_diagnosis_report_json_text(file, ",\n     ", "standing",
-                                um_diagnosis_confidence_name(step->confidence));
+  um_core_json_text(file, ",\n     ", "standing", um_diagnosis_confidence_name(step->confidence));
   um_core_json_field(file, ",\n     ", "p_value", step->p_value);
   um_core_json_field(file, ", ", "delta_bic", step->delta_bic);
   um_core_json_field(file, ", \"held_out\": {", "before", step->held_out_before);
@@ -135,8 +131,8 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   um_core_json_field(file, "}, ", "chi2", step->chi2);
   um_core_json_field(file, ", ", "dof", step->dof);
   um_core_json_field(file, ", ", "chi2_red", step->chi2_reduced);
-  um_diagnosis_report_json_bool(file, ", ", "by_prior", step->by_prior);
-  um_diagnosis_report_json_bool(file, ", ", "removed", step->removed);
+  um_core_json_bool(file, ", ", "by_prior", step->by_prior);
+  um_core_json_bool(file, ", ", "removed", step->removed);
   json_names(file, d, step, "indistinguishable_from", false);
   json_names(file, d, step, "not_tried", true);
   UM_TRY(
@@ -179,19 +175,19 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
                                               const char *command, const char *version, FILE *file)
 {
   const struct um_diagnosis *d = diagnosis;
-  um_diagnosis_report_json_text(file, "{\n  ", "scenario", d->forward->model->scenario->name);
-  um_diagnosis_report_json_text(file, ",\n  ", "measurements", d->forward->measurements->path);
-  um_diagnosis_report_json_text(file, ",\n  ", "command", command);
-  um_diagnosis_report_json_text(file, ",\n  ", "version", version);
-  um_diagnosis_report_json_text(file, ",\n  ", "verdict", um_diagnosis_verdict_name(d->verdict));
-  um_diagnosis_report_json_text(file, ",\n  ", "sentence", d->summary);
+  um_core_json_text(file, "{\n  ", "scenario", d->forward->model->scenario->name);
+  um_core_json_text(file, ",\n  ", "measurements", d->forward->measurements->path);
+  um_core_json_text(file, ",\n  ", "command", command);
+  um_core_json_text(file, ",\n  ", "version", version);
+  um_core_json_text(file, ",\n  ", "verdict", um_diagnosis_verdict_name(d->verdict));
+  um_core_json_text(file, ",\n  ", "sentence", d->summary);
   um_core_json_field(file, ",\n  ", "level", d->level);
   um_core_json_field(file, ",\n  ", "model_share", d->forward->observations.model_share);
   fprintf(file, ", \"optics_samples\": %d, \"optics_samples_of_scenario\": %d", d->forward->samples,
           d->forward->samples_before);
   UM_TRY(json_level(context, file, d, "baseline", false));
   UM_TRY(json_level(context, file, d, "final", true));
-  um_diagnosis_report_json_bool(file, ",\n  ", "not_quite_noise", d->allowance);
+  um_core_json_bool(file, ",\n  ", "not_quite_noise", d->allowance);
   json_uses(file, d, "effects", d->addition, d->addition_sigma, d->naddition);
   json_uses(file, d, "nuisances", d->nuisance, d->nuisance_sigma, d->nnuisance);
   fputs(",\n  \"steps\": [", file);

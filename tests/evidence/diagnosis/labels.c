@@ -5,11 +5,9 @@
 #include <string.h>
 
 #include "evidence/diagnosis/diagnosis_impl.h"
-#include "evidence/diagnosis/leave_one_out_impl.h"
 #include "evidence/diagnosis/state_impl.h"
-#include "evidence/diagnosis/summary_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/trials_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
 
 #define PLATE_STEP "24" /* [s] */
 #include "tests/evidence/diagnosis/plate_diagnosis_test.h"

@@ -3,10 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/directions_impl.h"
-#include "evidence/diagnosis/pair_swap_impl.h"
-#include "evidence/diagnosis/pulse_bic_impl.h"
-#include "evidence/diagnosis/rank_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 

@@ -2,7 +2,7 @@
 #include <dirent.h>
 
 #include "evidence/diagnosis/report/plot.h"
-#include "evidence/diagnosis/report/plot_frame_impl.h"
+#include "evidence/diagnosis/report/report_impl.h"
 #include "tests/evidence/diagnosis/report_test.h"
 
 /* Whatever gnuplot, where there is one, has drawn. */

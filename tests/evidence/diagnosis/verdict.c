@@ -6,9 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "evidence/diagnosis/summary_impl.h"
-#include "evidence/diagnosis/superseded_impl.h"
-#include "evidence/diagnosis/verdict_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "tests/support/cmocka_all.h"
 
 #define PLATE_STEP "12" /* [s] */

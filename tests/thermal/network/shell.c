@@ -1,6 +1,6 @@
 /* Thin walls by linear triangles: patch test, fin, two-sided panel, capacity. */
 #include "tests/thermal/body_help.h"
-#include "thermal/network/shell_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Patch test: nine vertices of a unit square, the inner one moved off the centre, eight triangles.
  *

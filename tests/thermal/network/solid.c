@@ -1,6 +1,6 @@
 /* Solid parts by tetrahedra: patch test, volume, NAFEMS T2, slab with observed order. */
 #include "tests/thermal/body_help.h"
-#include "thermal/network/solid_impl.h"
+#include "thermal/network/builder_impl.h"
 
 /* Patch test on one cube of five tetrahedra and a distorted inner vertex: a linear field leaves
  * nothing on the inner vertex, and dissipates k |grad T|^2 V. Twelve boundary triangles of a cube,

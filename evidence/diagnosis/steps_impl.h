@@ -1,0 +1,178 @@
+/* The steps of the method. Private to evidence/diagnosis/. */
+#ifndef UMBRA_DIAGNOSIS_STEPS_IMPL_H
+#define UMBRA_DIAGNOSIS_STEPS_IMPL_H
+
+#include "base/inference/fit.h"
+#include "evidence/diagnosis/diagnosis.h"
+#include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
+#include "evidence/missing_heat/unexplained.h"
+
+/* A block of a use with all its parameters free, starting at its values; prior about the
+ * scenario's values of width sigma (INFINITY: the effect's own). UM_ERR_INPUT: an effect without
+ * parameters that is no core switch. */
+enum um_status um_diagnosis_block_wanted(struct um_context *context,
+                                         const struct um_diagnosis_work *work,
+                                         const struct um_model_addition *wanted, double sigma,
+                                         struct um_diagnosis_block *out);
+/* UM_ERR_INPUT: one that is free per observation. */
+enum um_status um_diagnosis_nuisance_check(struct um_context *context,
+                                           const struct um_diagnosis_nuisance_effect *nuisance);
+/* The nuisances of the options, into an empty state. UM_ERR_INPUT: one that is free per
+ * observation. */
+enum um_status um_diagnosis_nuisances(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      struct um_diagnosis_state *state);
+
+/* Directions of the candidates, and the memory they point into. */
+struct um_diagnosis_directions {
+  struct um_inference_direction *direction; /* [count of candidates] */
+  double *column;                           /* whitened signatures, one after another */
+  double *bound;                            /* [3][columns] lowest, highest step, prior sigma */
+  struct um_inference_nuisance nuisance;
+  double *nuisance_sigma; /* [nparameter of the state] */
+};
+
+enum um_status um_diagnosis_directions_make(struct um_context *context,
+                                            const struct um_diagnosis_work *work,
+                                            const struct um_diagnosis_state *state,
+                                            struct um_diagnosis_directions *d);
+void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d);
+/* The unit of a column of a candidate [transformed]: the step of its difference. So the length of a
+ * column is the effect of a step, whatever the unit of the parameter. */
+double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k);
+/* Residual [n] with the parameters of the state at the means of their priors:
+ *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0. */
+void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out);
+/* Two variants of one effect on one target, as the two discs of the Sun. */
+bool um_diagnosis_is_same_effect(const struct um_sensitivity_candidate *a,
+                                 const struct um_sensitivity_candidate *b);
+/* An effect on a target that is fitted already. */
+bool um_diagnosis_is_taken(const struct um_diagnosis_state *state,
+                           const struct um_sensitivity_candidate *c);
+
+/* Score test of all candidates on the residual of the state. alternative: [count of candidates],
+ * filled with the *nalternative that observations change with, the largest predicted reduction
+ * first. */
+enum um_status um_diagnosis_rank(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state,
+                                 struct um_diagnosis_alternative *alternative,
+                                 size_t *nalternative);
+/* Mark the alternatives that cannot be told from the winner, which is alternative[0]. signal:
+ * [nobservation] whitened change of the model values by the winner. */
+enum um_status um_diagnosis_rank_groups(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        const struct um_diagnosis_state *state,
+                                        const double *signal, struct um_diagnosis_step *step);
+
+/* Start values of block b of a state, a candidate with parameters unidentified under the null that
+ * was added to the fitted state `before`: the best of a small scan. */
+enum um_status um_diagnosis_start(struct um_context *context, const struct um_diagnosis_work *work,
+                                  const struct um_diagnosis_state *before,
+                                  struct um_diagnosis_state *state, size_t b);
+
+/* Block b of a fitted state, with parameters unidentified under the null, searched for better
+ * values beyond the next discontinuity of chi-square; the state, fitted anew, is the better one of
+ * both. */
+enum um_status um_diagnosis_simplex_refine(struct um_context *context,
+                                           const struct um_diagnosis_work *work,
+                                           struct um_diagnosis_state *state, size_t b);
+
+/* Fill a step from the state before it and the best state after it, with the winner's group. */
+enum um_status um_diagnosis_step_fill(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      const struct um_diagnosis_state *state,
+                                      const struct um_diagnosis_state *best,
+                                      struct um_diagnosis_step *step);
+/* One step of forward selection: rank, fit alternatives, add the winner to the state. *added: false
+ * when nothing is significant or nothing helps. */
+enum um_status um_diagnosis_select(struct um_context *context, const struct um_diagnosis_work *work,
+                                   struct um_diagnosis_state *state, struct um_diagnosis_step *step,
+                                   bool *added);
+
+/* Fit the alternatives of a step in their order, until the scores of those left are too low; sort
+ * them by BIC. best: the state with the best of those fitted here; unchanged where none was. */
+enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
+                                             const struct um_diagnosis_work *work,
+                                             const struct um_diagnosis_state *state,
+                                             struct um_diagnosis_step *step,
+                                             struct um_diagnosis_state *best);
+
+struct um_diagnosis_pair {
+  size_t candidate[2];
+  double worth; /* chi-square that both explain, less ln n per column */
+};
+/* The best pairs by the linear model, the best first. Two variants of one effect on one target,
+ * such as the two discs of the Sun, are no pair. */
+enum um_status um_diagnosis_pairs_find(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_diagnosis_state *state,
+                                       struct um_diagnosis_pair best[UM_DIAGNOSIS_PAIRS],
+                                       size_t *count);
+/* Try pairs instead of the effect that was added last and each one before it. A better pair
+ * replaces them in the state. */
+enum um_status um_diagnosis_pair_swap(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      struct um_diagnosis_state *state);
+
+/* Make the steps anew, each for one effect added last to the others: its alternatives, its group,
+ * its p. An effect is replaced where an alternative does better. Steps are sorted by what their
+ * effects explain, falling. */
+enum um_status um_diagnosis_leave_one_out(struct um_context *context,
+                                          const struct um_diagnosis_work *work,
+                                          struct um_diagnosis_state *state, struct um_diagnosis *d);
+/* Put a candidate first among the alternatives of a step; the others keep their order. false: it is
+ * not among them. */
+bool um_diagnosis_put_first(struct um_diagnosis_step *step, size_t candidate);
+
+/* Remove effects that are no longer needed, and mark their steps as removed. */
+enum um_status um_diagnosis_backward(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state, struct um_diagnosis *d);
+
+/* Record every step so far, before they are judged anew. */
+enum um_status um_diagnosis_superseded_take(struct um_context *context, struct um_diagnosis *d);
+/* Keep on record those that are neither in the final state nor in a step. */
+void um_diagnosis_superseded_keep(const struct um_diagnosis_state *state, struct um_diagnosis *d);
+
+/* BIC of a fitted state with the best pulse of heat added. */
+double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,
+                              const struct um_inference_fit *fit);
+
+/* Add them and fit all; candidate i of the work is of wanted[i]. Where values are NAN, no start is
+ * said. UM_ERR_INPUT: nothing to fit, too many free parameters. */
+enum um_status um_diagnosis_add_wanted(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_model_addition *wanted, size_t nwanted,
+                                       struct um_diagnosis_state *state);
+
+/* Whether a residual is white noise of the stated sigma. */
+bool um_diagnosis_is_noise(const struct um_inference_whiteness *whiteness);
+/* Whether a step that was not removed has alternatives that the observations, without priors,
+ * cannot tell from its winner. */
+bool um_diagnosis_has_group(const struct um_diagnosis_step *step);
+/* The verdict, once the final state is kept in d. state: with the fitted nuisances. Sets
+ * d->allowance.
+ */
+enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
+                                             struct um_diagnosis *d);
+/* Set the class of confidence of each step, after the verdict. */
+void um_diagnosis_confidence_assign(struct um_diagnosis *d);
+
+/* Fill d->missed, after all fits are made and the baseline is ranked. */
+enum um_status um_diagnosis_missed_find(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        struct um_diagnosis *d);
+
+/* Fill d->next_of: for each alternative of each step with a group, the observation that would tell
+ * it from the winner; and d->next, the hardest of them. Small steps count only where there are no
+ * others. */
+enum um_status um_diagnosis_next_find(struct um_context *context,
+                                      const struct um_diagnosis_work *work,
+                                      const struct um_diagnosis_state *state,
+                                      struct um_diagnosis *d);
+
+enum um_status um_diagnosis_summary_write(struct um_context *context, const struct um_diagnosis *d,
+                                          char **out);
+
+#endif
