@@ -79,13 +79,12 @@ static enum um_status make_like(struct um_context *context, const struct job *jo
                                 const struct umbra_array *of)
 {
   double *data;
-  struct umbra_array a = {
-      .name = of->name, .unit = of->unit, .shape = {job->many->nset}, .axis = {"set"}};
+  struct umbra_array a = {.shape = {job->many->nset}, .axis = {"set"}};
   for (size_t i = 0; i < of->dimensions; i++) {
     a.shape[i + 1] = of->shape[i];
     a.axis[i + 1] = of->axis[i];
   }
-  UM_TRY(um_library_result_make(context, job->result, a, &data));
+  UM_TRY(um_library_result_make(context, job->result, a, of->name, of->unit, &data));
   size_t n = job->many->nset * count_of(&job->result->array[job->result->narray - 1]);
   for (size_t i = 0; i < n; i++) data[i] = NAN;
   return UM_OK;

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "evidence/diagnosis/non_smooth_impl.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "variant/many.h"
 
 /* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
