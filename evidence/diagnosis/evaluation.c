@@ -1,5 +1,5 @@
 /* Evaluations of a state, one or several at once. */
-#include "evidence/diagnosis/evaluation_impl.h"
+#include "evidence/diagnosis/state_impl.h"
 
 #include <math.h>
 #include <string.h>

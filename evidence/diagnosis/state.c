@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "evidence/diagnosis/evaluation_impl.h"
 #include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/state_impl.h"
 
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
