@@ -17,7 +17,8 @@
 #include "base/core/child.h"
 
 #define STILLBORN_MOST 20
-#define LOOKS          30 /* at the processor clock of a worker before it counts as silent */
+#define SETTLE         0.1 /* longest wait for other threads to sleep before a fork [s] */
+#define LOOKS          30  /* at the processor clock of a worker before it counts as silent */
 
 struct worker {
   pid_t process;            /* 0: none */
@@ -63,6 +64,7 @@ static enum um_status hire(struct um_context *context, struct um_batch_crew *cre
   for (int i = 0; i < 2; i++) (void)fcntl(ends[i], F_SETFD, FD_CLOEXEC);
   pid_t parent = getpid();
   fflush(NULL);
+  um_core_child_settle(SETTLE);
   pid_t child = fork();
   if (child == 0) {
     close(ends[0]);

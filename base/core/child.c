@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* pipe2 */
 #include "base/core/child.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -121,6 +123,39 @@ void um_core_child_end(pid_t child, int *state)
     if (done == child || (done < 0 && errno != EINTR)) return;
     nanosleep(&(struct timespec){0, 500000}, NULL);
   }
+}
+
+/* Does a thread run, by its line of /proc: "number (name) state"? The name may hold anything. */
+static bool runs(const char *thread)
+{
+  char path[64], line[256];
+  snprintf(path, sizeof path, "/proc/self/task/%.20s/stat", thread);
+  FILE *file = fopen(path, "re");
+  if (file == NULL) return false; /* it has ended */
+  size_t n = fread(line, 1, sizeof line - 1, file);
+  fclose(file);
+  line[n] = '\0';
+  const char *behind = strrchr(line, ')');
+  return behind != NULL && strncmp(behind, ") R", 3) == 0;
+}
+
+static bool others_run(void)
+{
+  bool any = false;
+  char own[24];
+  DIR *dir = opendir("/proc/self/task");
+  if (dir == NULL) return false;
+  snprintf(own, sizeof own, "%ld", (long)syscall(SYS_gettid));
+  for (const struct dirent *entry; !any && (entry = readdir(dir)) != NULL;)
+    any = entry->d_name[0] != '.' && strcmp(entry->d_name, own) != 0 && runs(entry->d_name);
+  closedir(dir);
+  return any;
+}
+
+void um_core_child_settle(double seconds)
+{
+  double until = now() + seconds;
+  while (others_run() && now() < until) nanosleep(&(struct timespec){0, 200000}, NULL);
 }
 
 /* Until the child has ended, is out of time, or is not wanted any more. *state: of waitpid. */

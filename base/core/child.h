@@ -35,6 +35,11 @@ enum um_status um_core_child_run(struct um_context *context, const char *name,
                                  const struct um_core_child_limits *limits,
                                  struct um_core_child_result *out);
 
+/* Before a fork whose child goes on to use libraries with threads of their own (TBB below Embree):
+ * a lock that one of them holds while it runs would stay locked in the child for good. Waits until
+ * every other thread of this process sleeps, for `seconds` at most. Does not fail. */
+void um_core_child_settle(double seconds);
+
 /* End a child by SIGKILL, whatever it does; *state: of waitpid. One that the system cannot end, as
  * while its disk does not answer, is left behind after 5 s, and *state is left as it was. */
 void um_core_child_end(pid_t child, int *state);
