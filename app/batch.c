@@ -35,7 +35,7 @@ enum um_status um_app_batch_options(struct um_context *context,
                                     const struct um_app_options *options,
                                     struct um_batch_task *task)
 {
-  task->workers = options->workers > 0 ? options->workers : workers_by_machine();
+  task->work.workers = options->workers > 0 ? options->workers : workers_by_machine();
   task->resume = options->resume;
   um_app_terminal_progress_in_pipes();
   return options->share == NULL ? UM_OK : parse_share(context, options->share, task);

@@ -161,11 +161,11 @@ enum um_status um_forecast_create(struct um_context *context, const struct um_fo
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;
   h->work.place = h->place;
-  task->ncoordinate = UM_FORECAST_COORDINATES;
-  task->nvalue = um_forecast_values(f->nband, f->nplace);
-  task->compute = um_forecast_compute;
+  task->work.ncoordinate = UM_FORECAST_COORDINATES;
+  task->work.nvalue = um_forecast_values(f->nband, f->nplace);
+  task->work.compute = um_forecast_compute;
   task->accepts = um_forecast_accepts;
-  task->user = &h->work;
+  task->work.user = &h->work;
   *out = f;
   h = NULL;
 done:

@@ -43,7 +43,7 @@ enum um_status um_study_print_check(struct um_context *context, struct um_study 
 {
   const struct um_study_file *f = study->file;
   double points = um_study_file_points(f), seconds = 0.0, least, largest, solved = points;
-  int workers = study->options.batch.workers > 1 ? study->options.batch.workers : 1;
+  int workers = study->options.batch.work.workers > 1 ? study->options.batch.work.workers : 1;
   UM_TRY(time_of_point(context, study, &seconds));
   fprintf(file, "%s: %.0f points of %s, %zu curves of %zu observations\n", f->name, points,
           study->model->scenario->name, study->noutput, study->ntime);

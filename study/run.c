@@ -270,11 +270,11 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
   struct um_study_result *result = NULL;
   struct um_batch *batch = NULL;
   struct um_batch_task task = study->options.batch;
-  task.ncoordinate = study->nway;
-  task.nvalue = study->nvalue;
-  task.compute = um_study_point;
+  task.work.ncoordinate = study->nway;
+  task.work.nvalue = study->nvalue;
+  task.work.compute = um_study_point;
   task.accepts = um_study_accepts;
-  task.user = study;
+  task.work.user = study;
   *out = NULL;
   UM_CHECK(um_study_tolerance(context, study));
   UM_CHECK(identify(context, study));

@@ -58,7 +58,7 @@ enum um_status um_study_limits_make(struct um_context *context, const struct um_
                                     struct um_study_result *result);
 
 /* --- point.c --- */
-/* Model and values of a point. value [nvalue]; parameter [nway]. um_batch_compute, whose user is
+/* Model and values of a point. value [nvalue]; parameter [nway]. um_workers_compute, whose user is
  * the study. */
 enum um_status um_study_point(struct um_context *context, void *user, const double *parameter,
                               double *value);

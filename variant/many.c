@@ -2,12 +2,12 @@
 #include "variant/many.h"
 
 enum um_status um_variant_tasks(struct um_context *context, struct um_variant_evaluator *evaluator,
-                                const struct um_batch_each *tasks)
+                                const struct um_workers_each *tasks)
 {
   size_t share = tasks->workers > 1 ? (size_t)tasks->workers : 1;
   size_t bound = um_variant_evaluator_bound(evaluator, 0);
   um_variant_evaluator_bound(evaluator, bound / share);
-  enum um_status status = um_batch_each(context, tasks);
+  enum um_status status = um_workers_each(context, tasks);
   um_variant_evaluator_bound(evaluator, bound);
   return status;
 }
@@ -44,12 +44,12 @@ enum um_status um_variant_each(struct um_context *context, struct um_variant_eva
                                const struct um_variant_each *each)
 {
   struct work work = {each, evaluator};
-  const struct um_batch_each tasks = {.n = each->n,
-                                      .nvalue = each->nvalue,
-                                      .compute = compute,
-                                      .done = done,
-                                      .user = &work,
-                                      .workers = each->workers};
+  const struct um_workers_each tasks = {.n = each->n,
+                                        .nvalue = each->nvalue,
+                                        .compute = compute,
+                                        .done = done,
+                                        .user = &work,
+                                        .workers = each->workers};
   bool light = false;
   for (size_t i = 0; i < each->n; i++) light = light || um_variant_acts_behind(&each->changes[i]);
   um_core_quiet_begin(context); /* the progress is the caller's */

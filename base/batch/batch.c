@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/batch/team_impl.h"
+#include "base/batch/scheduler_impl.h"
 #include "base/core/words.h"
 
 #define NAMED_MOST 10 /* points by their numbers in one message */
@@ -15,8 +15,8 @@ static enum um_status note_record(struct um_context *context, void *self, const 
 {
   struct um_batch *batch = self;
   size_t number;
-  UM_TRY(um_batch_known_number(context, batch->known, coordinate, &number));
-  struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
+  UM_TRY(um_batch_index_number(context, batch->index, coordinate, &number));
+  struct um_batch_index_point *point = um_batch_index_point(batch->index, number);
   if (point->state != UM_BATCH_RECORD) batch->recorded++;
   point->state = UM_BATCH_RECORD;
   point->place = place;
@@ -35,7 +35,7 @@ enum um_status um_batch_open(struct um_context *context, const struct um_batch_t
   UM_CHECK(um_core_strdup(context, task->folder, &batch->folder));
   batch->task.folder = batch->folder;
   UM_CHECK(um_batch_ranks_look(context, &batch->several, &batch->rank));
-  UM_CHECK(um_batch_known_create(context, task->ncoordinate, &batch->known));
+  UM_CHECK(um_batch_index_create(context, task->work.ncoordinate, &batch->index));
   if (um_batch_leads(batch))
     UM_CHECK(um_batch_records_open(context, &batch->task, note_record, batch, &batch->records));
   *out = batch;
@@ -51,7 +51,7 @@ bool um_batch_leads(const struct um_batch *batch) { return batch->rank == 0; }
 
 enum um_status um_batch_serve(struct um_context *context, struct um_batch *batch)
 {
-  if (!um_batch_leads(batch)) return um_batch_serve_team(context, batch);
+  if (!um_batch_leads(batch)) return um_batch_scheduler_serve(context, batch);
   return um_core_fail(context, UM_ERR_INPUT, "this process leads its batch, and serves none");
 }
 
@@ -59,11 +59,12 @@ enum um_status um_batch_serve(struct um_context *context, struct um_batch *batch
 static enum um_status check_record(struct um_context *context, struct um_batch *batch,
                                    size_t number, double *value, size_t *refused)
 {
-  struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
+  struct um_batch_index_point *point = um_batch_index_point(batch->index, number);
   if (batch->task.accepts == NULL || !point->foreign || point->place.reason > 0) return UM_OK;
   point->foreign = false;
   UM_TRY(um_batch_records_value(context, batch->records, point->place, value));
-  if (batch->task.accepts(batch->task.user, um_batch_known_coordinate(batch->known, number), value))
+  if (batch->task.accepts(batch->task.work.user, um_batch_index_coordinate(batch->index, number),
+                          value))
     return UM_OK;
   point->state = UM_BATCH_NEW;
   batch->recorded--;
@@ -77,7 +78,7 @@ static enum um_status check_records(struct um_context *context, struct um_batch 
   enum um_status status = UM_OK;
   size_t refused = 0;
   double *value;
-  UM_TRY(um_core_allocate(context, batch->task.nvalue, sizeof *value, &value));
+  UM_TRY(um_core_allocate(context, batch->task.work.nvalue, sizeof *value, &value));
   for (size_t i = 0; i < n; i++) UM_CHECK(check_record(context, batch, number[i], value, &refused));
   if (refused > 0)
     um_core_log(context, UM_LOG_WARNING,
@@ -95,11 +96,11 @@ static enum um_status look_up(struct um_context *context, struct um_batch *batch
 {
   batch->nqueue = 0;
   for (size_t i = 0; i < n; i++)
-    UM_TRY(um_batch_known_number(context, batch->known, coordinate + i * batch->task.ncoordinate,
-                                 &number[i]));
+    UM_TRY(um_batch_index_number(context, batch->index,
+                                 coordinate + i * batch->task.work.ncoordinate, &number[i]));
   UM_TRY(check_records(context, batch, number, n));
   for (size_t i = 0; i < n; i++) {
-    struct um_batch_known_point *point = um_batch_known_point(batch->known, number[i]);
+    struct um_batch_index_point *point = um_batch_index_point(batch->index, number[i]);
     if (point->state != UM_BATCH_NEW) continue;
     if (batch->task.nshare > 1 && i % batch->task.nshare != batch->task.share) continue;
     point->state = UM_BATCH_WANTED;
@@ -112,7 +113,7 @@ static enum um_status look_up(struct um_context *context, struct um_batch *batch
 static void forget_queue(struct um_batch *batch)
 {
   for (size_t i = 0; i < batch->nqueue; i++) {
-    struct um_batch_known_point *point = um_batch_known_point(batch->known, batch->queue[i]);
+    struct um_batch_index_point *point = um_batch_index_point(batch->index, batch->queue[i]);
     if (point->state == UM_BATCH_WANTED) point->state = UM_BATCH_NEW;
   }
   batch->nqueue = 0;
@@ -121,8 +122,8 @@ static void forget_queue(struct um_batch *batch)
 static enum um_status work(struct um_context *context, struct um_batch *batch)
 {
   um_core_progress_begin(context, "computing points", batch->nqueue);
-  enum um_status status = batch->task.workers > 1 || batch->several
-                              ? um_batch_run_team(context, batch)
+  enum um_status status = batch->task.work.workers > 1 || batch->several
+                              ? um_batch_scheduler_run(context, batch)
                               : um_batch_run_here(context, batch);
   um_core_progress_end(context);
   if (status != UM_OK)
@@ -133,10 +134,10 @@ static enum um_status work(struct um_context *context, struct um_batch *batch)
 static enum um_status answer(struct um_context *context, struct um_batch *batch, size_t number,
                              double *value, char **reason)
 {
-  const struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
+  const struct um_batch_index_point *point = um_batch_index_point(batch->index, number);
   if (point->state == UM_BATCH_RECORD && point->place.reason == 0)
     return um_batch_records_value(context, batch->records, point->place, value);
-  for (size_t k = 0; k < batch->task.nvalue; k++) value[k] = NAN;
+  for (size_t k = 0; k < batch->task.work.nvalue; k++) value[k] = NAN;
   if (point->state == UM_BATCH_RECORD)
     return um_batch_records_reason(context, batch->records, point->place, reason);
   return um_core_strdup(
@@ -154,7 +155,7 @@ enum um_status um_batch_run(struct um_context *context, struct um_batch *batch,
   UM_CHECK(look_up(context, batch, coordinate, n, number));
   if (batch->nqueue > 0) UM_CHECK(work(context, batch));
   for (size_t i = 0; i < n; i++)
-    UM_CHECK(answer(context, batch, number[i], value + i * batch->task.nvalue, &reason[i]));
+    UM_CHECK(answer(context, batch, number[i], value + i * batch->task.work.nvalue, &reason[i]));
 done:
   forget_queue(batch);
   um_core_free(context, batch->queue);
@@ -175,9 +176,10 @@ void um_batch_tell_lost(struct um_context *context, struct um_batch *batch,
   char list[256] = "", more[40] = "", *reason = NULL;
   size_t count = 0;
   for (size_t i = 0; i < n; i++) {
-    size_t number = um_batch_known_find(batch->known, coordinate + i * batch->task.ncoordinate);
-    const struct um_batch_known_point *point =
-        number == SIZE_MAX ? NULL : um_batch_known_point(batch->known, number);
+    size_t number =
+        um_batch_index_find(batch->index, coordinate + i * batch->task.work.ncoordinate);
+    const struct um_batch_index_point *point =
+        number == SIZE_MAX ? NULL : um_batch_index_point(batch->index, number);
     char name[24];
     if (point == NULL || point->state != UM_BATCH_LOST) continue;
     if (count == 0) reason = point->reason;
@@ -193,9 +195,9 @@ void um_batch_tell_lost(struct um_context *context, struct um_batch *batch,
 void um_batch_close(struct um_context *context, struct um_batch **batch)
 {
   if (batch == NULL || *batch == NULL) return;
-  um_batch_end_team(context, *batch);
+  um_batch_scheduler_end(context, *batch);
   um_batch_records_close(context, &(*batch)->records);
-  um_batch_known_destroy(context, &(*batch)->known);
+  um_batch_index_destroy(context, &(*batch)->index);
   um_core_free(context, (*batch)->queue);
   um_core_free(context, (*batch)->folder);
   um_core_free(context, *batch);

@@ -14,7 +14,7 @@ bool um_batch_is_of_point(enum um_status status)
 enum um_status um_batch_keep(struct um_context *context, struct um_batch *batch, size_t number,
                              const double *value, const char *reason, bool lost)
 {
-  struct um_batch_known_point *point = um_batch_known_point(batch->known, number);
+  struct um_batch_index_point *point = um_batch_index_point(batch->index, number);
   if (lost) {
     UM_TRY(um_core_strdup(context, reason, &point->reason));
     point->state = UM_BATCH_LOST;
@@ -22,7 +22,7 @@ enum um_status um_batch_keep(struct um_context *context, struct um_batch *batch,
     return UM_OK;
   }
   UM_TRY(um_batch_records_append(context, batch->records,
-                                 um_batch_known_coordinate(batch->known, number), value, reason,
+                                 um_batch_index_coordinate(batch->index, number), value, reason,
                                  &point->place));
   point->state = UM_BATCH_RECORD;
   batch->recorded++;
@@ -40,8 +40,8 @@ static enum um_status compute_one(struct um_context *context, struct um_batch *b
                                   double *value)
 {
   um_core_quiet_begin(context);
-  enum um_status status = batch->task.compute(
-      context, batch->task.user, um_batch_known_coordinate(batch->known, number), value);
+  enum um_status status = batch->task.work.compute(
+      context, batch->task.work.user, um_batch_index_coordinate(batch->index, number), value);
   um_core_quiet_end(context);
   if (status == UM_OK) return um_batch_keep(context, batch, number, value, NULL, false);
   if (!um_batch_is_of_point(status)) return status;
@@ -68,7 +68,7 @@ enum um_status um_batch_run_here(struct um_context *context, struct um_batch *ba
   enum um_status status = UM_OK;
   double *value;
   struct um_batch_done told = {0};
-  UM_TRY(um_core_allocate(context, batch->task.nvalue, sizeof *value, &value));
+  UM_TRY(um_core_allocate(context, batch->task.work.nvalue, sizeof *value, &value));
   for (size_t i = 0; i < batch->nqueue; i++) {
     UM_CHECK(compute_one(context, batch, batch->queue[i], value));
     told.unsaid++;

@@ -2,20 +2,20 @@
 #ifndef UMBRA_BATCH_QUEUE_IMPL_H
 #define UMBRA_BATCH_QUEUE_IMPL_H
 
-#include "base/batch/crew_impl.h"
-#include "base/batch/known_impl.h"
+#include "base/batch/index_impl.h"
 #include "base/batch/ranks_impl.h"
+#include "base/workers/pool.h"
 
 struct um_batch {
   struct um_batch_task task; /* its folder is a copy */
   char *folder;
   struct um_batch_records *records; /* NULL where this process does not lead */
-  struct um_batch_known *known;
+  struct um_batch_index *index;
   size_t recorded, lost; /* points on record, and those that were to be and are not */
   size_t *queue;         /* [nqueue] numbers of points to be computed, in the order asked */
   size_t nqueue;
-  struct um_batch_crew *crew; /* NULL: not needed yet */
-  bool several;               /* this process is one of several ranks */
+  struct um_workers_pool *pool; /* NULL: not needed yet */
+  bool several;                 /* this process is one of several ranks */
   size_t rank;
   struct um_batch_ranks *ranks; /* NULL: not met yet */
 };

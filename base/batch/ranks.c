@@ -8,7 +8,6 @@
 
 #include "base/batch/launch_impl.h"
 #include "base/batch/ranks_inbox_impl.h"
-#include "base/batch/worker_impl.h"
 
 #define PULSES   12   /* signs of life of a rank in the time after which it counts as lost */
 #define LOOK     2e-3 /* between two looks at the messages of a rank that serves [s] */
@@ -96,7 +95,7 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *ranks, &ranks));
   ranks->task = task;
-  ranks->silence = task->silence > 0.0 ? task->silence : UM_BATCH_SILENCE;
+  ranks->silence = task->work.silence > 0.0 ? task->work.silence : UM_WORKERS_SILENCE;
   ranks->looked = now();
   if (!joined) {
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS) {
@@ -109,8 +108,9 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   MPI_Comm_rank(MPI_COMM_WORLD, &ranks->rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks->size);
   UM_CHECK(check_place(context, ranks));
-  size_t values = task->nvalue * sizeof(double), point = (task->ncoordinate + 1) * sizeof(double);
-  size_t longest = sizeof(struct answer_head) + 1 + point + UM_BATCH_REASON_LONGEST + values;
+  size_t values = task->work.nvalue * sizeof(double),
+         point = (task->work.ncoordinate + 1) * sizeof(double);
+  size_t longest = sizeof(struct answer_head) + 1 + point + UM_WORKERS_REASON_LONGEST + values;
   bool leads = ranks->rank == 0; /* it speaks with all others, they with it alone */
   UM_CHECK(um_core_allocate(context, (size_t)ranks->size, sizeof *ranks->peer, &ranks->peer));
   for (int r = 0; r < ranks->size; r++) ranks->peer[r].heard = now();
@@ -147,7 +147,7 @@ void um_batch_ranks_give(struct um_batch_ranks *ranks, size_t number, const doub
   int r = 1;
   while (ranks->peer[r].lost || ranks->peer[r].idle == 0) r++;
   uint64_t told = number;
-  size_t n = ranks->task->ncoordinate * sizeof *coordinate;
+  size_t n = ranks->task->work.ncoordinate * sizeof *coordinate;
   ranks->peer[r].idle--;
   mark(&ranks->peer[r], NOBODY, number);
   memcpy(ranks->buffer, &told, sizeof told);
@@ -161,8 +161,8 @@ static enum um_status welcome(struct um_context *context, const struct um_batch_
   struct hello h;
   struct peer *peer = &ranks->peer[message->from];
   memcpy(&h, message->data, sizeof h);
-  if (h.identity != ranks->task->identity || h.ncoordinate != ranks->task->ncoordinate ||
-      h.nvalue != ranks->task->nvalue)
+  if (h.identity != ranks->task->identity || h.ncoordinate != ranks->task->work.ncoordinate ||
+      h.nvalue != ranks->task->work.nvalue)
     return um_core_fail(context, UM_ERR_INPUT,
                         "rank %d would compute something else: its files or its Umbra differ",
                         message->from);
@@ -174,7 +174,7 @@ static enum um_status welcome(struct um_context *context, const struct um_batch_
 }
 
 static enum um_status hand_on(struct um_context *context, const struct um_batch_ranks *ranks,
-                              const struct um_batch_message *message, um_batch_answered *answered,
+                              const struct um_batch_message *message, um_workers_answered *answered,
                               void *self)
 {
   struct answer_head head;
@@ -184,7 +184,7 @@ static enum um_status hand_on(struct um_context *context, const struct um_batch_
   if (head.number == NOBODY)
     return um_core_fail(context, (enum um_status)head.status, "rank %d: %s", message->from,
                         (const char *)behind);
-  struct um_batch_answer answer = {
+  struct um_workers_answer answer = {
       .number = (size_t)head.number, .status = (enum um_status)head.status, .died = head.died != 0};
   if (head.reason > 0)
     answer.reason = behind;
@@ -197,7 +197,7 @@ static enum um_status hand_on(struct um_context *context, const struct um_batch_
 
 /* A rank that is silent has lost its points; what it says later is not heard. */
 static enum um_status lose(struct um_context *context, struct um_batch_ranks *ranks, int r,
-                           um_batch_answered *answered, void *self)
+                           um_workers_answered *answered, void *self)
 {
   struct peer *peer = &ranks->peer[r];
   peer->lost = true;
@@ -205,7 +205,7 @@ static enum um_status lose(struct um_context *context, struct um_batch_ranks *ra
   um_core_log(context, UM_LOG_WARNING, "rank %d has not been heard of for %g s: it is left out", r,
               ranks->silence);
   for (size_t i = 0; i < peer->workers; i++) {
-    struct um_batch_answer answer = {
+    struct um_workers_answer answer = {
         .number = (size_t)peer->given[i], .died = true, .reason = "its rank is silent"};
     if (peer->given[i] != NOBODY) UM_TRY(answered(context, self, &answer));
   }
@@ -213,7 +213,7 @@ static enum um_status lose(struct um_context *context, struct um_batch_ranks *ra
 }
 
 enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_ranks *ranks,
-                                   um_batch_answered *answered, void *self)
+                                   um_workers_answered *answered, void *self)
 {
   struct um_batch_message message;
   /* time in which this process was stopped, or did something else, is no silence of others */
@@ -233,12 +233,12 @@ enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_r
 }
 
 static void send_answer(struct um_batch_ranks *ranks, uint64_t number,
-                        const struct um_batch_answer *answer)
+                        const struct um_workers_answer *answer)
 {
   struct answer_head head = {number, (int32_t)answer->status, answer->died, 0};
-  size_t bytes = ranks->task->nvalue * sizeof *answer->value;
+  size_t bytes = ranks->task->work.nvalue * sizeof *answer->value;
   if (answer->reason != NULL)
-    head.reason = bytes = strnlen(answer->reason, UM_BATCH_REASON_LONGEST);
+    head.reason = bytes = strnlen(answer->reason, UM_WORKERS_REASON_LONGEST);
   memcpy(ranks->buffer, &head, sizeof head);
   if (bytes > 0)
     memcpy(ranks->buffer + sizeof head,
@@ -247,7 +247,7 @@ static void send_answer(struct um_batch_ranks *ranks, uint64_t number,
 }
 
 static enum um_status pass_on(struct um_context *context, void *self,
-                              const struct um_batch_answer *answer)
+                              const struct um_workers_answer *answer)
 {
   (void)context;
   send_answer(self, answer->number, answer);
@@ -255,7 +255,7 @@ static enum um_status pass_on(struct um_context *context, void *self,
 }
 
 /* What rank 0 says. */
-static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
+static void obey(struct um_batch_ranks *ranks, struct um_workers_pool *pool)
 {
   struct um_batch_message message;
   while (!ranks->stopped && um_batch_inbox_take(ranks->inbox, &message)) {
@@ -265,7 +265,7 @@ static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
     memcpy(&number, message.data, sizeof number);
     /* the number is as long as a coordinate: what stands behind it is aligned */
     const void *coordinate = message.data + sizeof number;
-    um_batch_crew_give(crew, (size_t)number, coordinate);
+    um_workers_pool_give(pool, (size_t)number, coordinate);
   }
   if (now() - ranks->pulse < ranks->silence / PULSES) return;
   ranks->pulse = now();
@@ -273,22 +273,22 @@ static void obey(struct um_batch_ranks *ranks, struct um_batch_crew *crew)
 }
 
 enum um_status um_batch_ranks_serve(struct um_context *context, struct um_batch_ranks *ranks,
-                                    struct um_batch_crew *crew)
+                                    struct um_workers_pool *pool)
 {
   enum um_status status = UM_OK;
-  struct hello hello = {ranks->task->identity, ranks->task->ncoordinate, ranks->task->nvalue,
-                        um_batch_crew_size(crew)};
+  struct hello hello = {ranks->task->identity, ranks->task->work.ncoordinate,
+                        ranks->task->work.nvalue, um_workers_pool_size(pool)};
   MPI_Send(&hello, (int)sizeof hello, MPI_BYTE, 0, TAG_HELLO, MPI_COMM_WORLD);
   while (status == UM_OK && !ranks->stopped) {
-    obey(ranks, crew);
+    obey(ranks, pool);
     if (ranks->stopped) break;
-    status = um_batch_crew_wait(context, crew, LOOK, pass_on, ranks);
+    status = um_workers_pool_wait(context, pool, LOOK, pass_on, ranks);
     if (status == UM_OK) status = um_core_stop_check(context, "serving a batch");
   }
   broken = broken || status == UM_ERR_CANCELLED; /* rank 0 may be gone, too */
   if (status == UM_OK) MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_BYE, MPI_COMM_WORLD);
   if (status != UM_OK && status != UM_ERR_CANCELLED) {
-    struct um_batch_answer answer = {.status = status, .reason = um_core_message(context)};
+    struct um_workers_answer answer = {.status = status, .reason = um_core_message(context)};
     send_answer(ranks, NOBODY, &answer);
   }
   return status;

@@ -5,7 +5,8 @@
 #ifndef UMBRA_BATCH_RANKS_IMPL_H
 #define UMBRA_BATCH_RANKS_IMPL_H
 
-#include "base/batch/crew_impl.h"
+#include "base/batch/task.h"
+#include "base/workers/pool.h"
 
 struct um_batch_ranks;
 
@@ -13,7 +14,7 @@ struct um_batch_ranks;
  * no cost. UM_ERR_INPUT: one of several, in a build without MPI. */
 enum um_status um_batch_ranks_look(struct um_context *context, bool *several, size_t *rank);
 
-/* Meet the others, after the crew was forked: a process with MPI is better not forked. The task is
+/* Meet the others, after the pool was forked: a process with MPI is better not forked. The task is
  * borrowed. UM_ERR_INPUT: MPI places this process elsewhere than the environment does;
  * UM_ERR_LIBRARY, UM_ERR_MEMORY. */
 enum um_status um_batch_ranks_join(struct um_context *context, const struct um_batch_task *task,
@@ -27,11 +28,11 @@ void um_batch_ranks_give(struct um_batch_ranks *ranks, size_t number, const doub
  * for a minute are answered as those of a worker that died. Errors of `answered`; UM_ERR_INPUT: a
  * rank has another task; what ended the work of a rank. */
 enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_ranks *ranks,
-                                   um_batch_answered *answered, void *self);
+                                   um_workers_answered *answered, void *self);
 
-/* Other ranks: compute by the crew what rank 0 hands out, until it closes. */
+/* Other ranks: compute by the pool what rank 0 hands out, until it closes. */
 enum um_status um_batch_ranks_serve(struct um_context *context, struct um_batch_ranks *ranks,
-                                    struct um_batch_crew *crew);
+                                    struct um_workers_pool *pool);
 
 /* Rank 0 tells the others to end. Accepts NULL, sets NULL. */
 void um_batch_ranks_leave(struct um_context *context, struct um_batch_ranks **ranks);

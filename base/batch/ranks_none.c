@@ -38,7 +38,7 @@ void um_batch_ranks_give(struct um_batch_ranks *ranks, size_t number, const doub
 }
 
 enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_ranks *ranks,
-                                   um_batch_answered *answered, void *self)
+                                   um_workers_answered *answered, void *self)
 {
   (void)context;
   (void)ranks;
@@ -48,10 +48,10 @@ enum um_status um_batch_ranks_hear(struct um_context *context, struct um_batch_r
 }
 
 enum um_status um_batch_ranks_serve(struct um_context *context, struct um_batch_ranks *ranks,
-                                    struct um_batch_crew *crew)
+                                    struct um_workers_pool *pool)
 {
   (void)ranks;
-  (void)crew;
+  (void)pool;
   return um_core_fail(context, UM_ERR_LIBRARY, "built without MPI");
 }
 

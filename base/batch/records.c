@@ -194,12 +194,12 @@ enum um_status um_batch_records_open(struct um_context *context, const struct um
   UM_TRY(um_core_allocate(context, 1, sizeof *r, &r));
   r->header = (struct header){.order = ORDER,
                               .identity = task->identity,
-                              .ncoordinate = task->ncoordinate,
-                              .nvalue = task->nvalue};
+                              .ncoordinate = task->work.ncoordinate,
+                              .nvalue = task->work.nvalue};
   memcpy(r->header.magic, MAGIC, sizeof r->header.magic);
   r->header.crc = um_batch_file_checksum(&r->header, offsetof(struct header, crc));
-  size_t values = task->nvalue * sizeof(double);
-  r->room = HEAD + task->ncoordinate * sizeof(double) +
+  size_t values = task->work.nvalue * sizeof(double);
+  r->room = HEAD + task->work.ncoordinate * sizeof(double) +
             (values > REASON_LONGEST ? values : REASON_LONGEST) + CRC;
   enum um_status status;
   UM_CHECK(um_core_allocate(context, r->room, 1, &r->buffer));

@@ -72,12 +72,12 @@ enum um_status um_diagnosis_evaluate_all(struct um_context *context, void *user,
 {
   struct um_diagnosis_evaluation *e = user;
   struct job job = {e, x, value};
-  const struct um_batch_each tasks = {.n = n,
-                                      .nvalue = EFFORT + e->work->forward->observations.count,
-                                      .compute = compute,
-                                      .done = done,
-                                      .user = &job,
-                                      .workers = um_core_context_threads(context)};
+  const struct um_workers_each tasks = {.n = n,
+                                        .nvalue = EFFORT + e->work->forward->observations.count,
+                                        .compute = compute,
+                                        .done = done,
+                                        .user = &job,
+                                        .workers = um_core_context_threads(context)};
   um_core_quiet_begin(context); /* its steps are none of the caller's progress */
   enum um_status status = um_variant_tasks(context, e->work->forward->evaluator, &tasks);
   um_core_quiet_end(context);

@@ -161,11 +161,11 @@ enum um_status um_diagnosis_trials_fit(struct um_context *context,
                                        struct um_diagnosis_trial *trial, size_t n)
 {
   struct job job = {work, state, trial};
-  struct um_batch_each tasks = {.n = n,
-                                .compute = compute,
-                                .done = done,
-                                .user = &job,
-                                .workers = um_core_context_threads(context)};
+  struct um_workers_each tasks = {.n = n,
+                                  .compute = compute,
+                                  .done = done,
+                                  .user = &job,
+                                  .workers = um_core_context_threads(context)};
   for (size_t i = 0; i < n; i++)
     if (tasks.nvalue < room(&job, &trial[i])) tasks.nvalue = room(&job, &trial[i]);
   enum um_status status = um_variant_tasks(context, work->forward->evaluator, &tasks);

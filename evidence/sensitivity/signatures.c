@@ -107,11 +107,11 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   struct um_sensitivity_forward *f = point->forward;
   struct um_sensitivity_forward_run base = {.result = NULL};
   struct work work = {point, candidate};
-  struct um_batch_each tasks = {.n = count,
-                                .compute = compute,
-                                .done = done,
-                                .user = &work,
-                                .workers = um_core_context_threads(context)};
+  struct um_workers_each tasks = {.n = count,
+                                  .compute = compute,
+                                  .done = done,
+                                  .user = &work,
+                                  .workers = um_core_context_threads(context)};
   UM_TRY(um_variant_share(context, f->evaluator, UM_VARIANT_WARM, true));
   um_core_progress_begin(context, "signatures of effects", count);
   for (size_t i = 0; i < count; i++) {

@@ -81,9 +81,9 @@ static void one(struct um_context *context, const char *name, size_t nshare, con
   static const char *const names[] = {"points.records", "points-1-of-3.records",
                                       "points-2-of-3.records"};
   const struct um_batch_task task = {.identity = 42,
-                                     .ncoordinate = COORDINATES,
-                                     .nvalue = VALUES,
-                                     .compute = compute,
+                                     .work.ncoordinate = COORDINATES,
+                                     .work.nvalue = VALUES,
+                                     .work.compute = compute,
                                      .folder = um_fuzz_out(),
                                      .resume = true,
                                      .nshare = nshare};

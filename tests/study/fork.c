@@ -57,11 +57,11 @@ static void test_fork(void **state)
       fail_msg("%s", um_core_message(context));
   assert_true(here[NVALUE - 1] > 1.0);
   struct um_batch_task task = {.identity = 1,
-                               .ncoordinate = 1,
-                               .nvalue = NVALUE,
-                               .compute = run,
+                               .work.ncoordinate = 1,
+                               .work.nvalue = NVALUE,
+                               .work.compute = run,
                                .folder = folder,
-                               .workers = 2};
+                               .work.workers = 2};
   assert_int_equal(um_batch_open(context, &task, &batch), UM_OK);
   assert_int_equal(um_batch_run(context, batch, x, NPOINT, there, reason), UM_OK);
   for (size_t i = 0; i < NPOINT; i++)

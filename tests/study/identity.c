@@ -43,7 +43,7 @@ static void test_list_changes(void **state)
   OK(um_model_create(context, path, &options, &model));
   OK(um_study_identity_create(context, "0", model, &options, &identity));
   um_core_files_each(context, count, &before);
-  const struct um_batch_task task = {.ncoordinate = 1, .nvalue = 1, .folder = folder};
+  const struct um_batch_task task = {.work.ncoordinate = 1, .work.nvalue = 1, .folder = folder};
   OK(um_study_identity_open(context, identity, &task, &batch));
   um_batch_close(context, &batch);
   OK(um_study_identity_check(context, identity, folder));

@@ -52,5 +52,6 @@ void world_clear(struct um_context *context)
 struct um_study_run_options world_options(int workers, bool resume)
 {
   return (struct um_study_run_options){
-      .version = "test", .batch = {.folder = WORLD_RECORDS, .workers = workers, .resume = resume}};
+      .version = "test",
+      .batch = {.folder = WORLD_RECORDS, .work.workers = workers, .resume = resume}};
 }

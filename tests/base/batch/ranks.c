@@ -72,14 +72,14 @@ static int work(char **argument)
   for (size_t i = 0; i < NPOINT; i++) x[i] = (double)i;
   if (value == NULL || um_core_context_create(NULL, &context) != UM_OK) return 1;
   struct um_batch_task task = {.identity = mode == OTHER_TASK ? (uint64_t)my_rank() : 1,
-                               .ncoordinate = 1,
-                               .nvalue = NVALUE,
-                               .compute = waves,
-                               .user = &mode,
+                               .work.ncoordinate = 1,
+                               .work.nvalue = NVALUE,
+                               .work.compute = waves,
+                               .work.user = &mode,
                                .folder = argument[0],
                                .resume = mode == RESUME,
-                               .silence = mode == SILENT_RANK ? 1.0 : 0.0,
-                               .workers = (int)strtol(argument[1], NULL, 10)};
+                               .work.silence = mode == SILENT_RANK ? 1.0 : 0.0,
+                               .work.workers = (int)strtol(argument[1], NULL, 10)};
   enum um_status status = um_batch_open(context, &task, &batch);
   if (status == UM_OK && !um_batch_leads(batch)) {
     status = um_batch_serve(context, batch);
@@ -113,12 +113,13 @@ static const char *stray[2][2];
  * "FOLDER/said". */
 static int start(int ranks, int workers, const char *out, int mode)
 {
-  char count[16], crew[16], what[16], path[UM_TEST_PATH + 32], said[UM_TEST_PATH + 32], self[512];
+  char count[16], workers_text[16], what[16], path[UM_TEST_PATH + 32], said[UM_TEST_PATH + 32],
+      self[512];
   ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
   assert_true(n > 0);
   self[n] = '\0';
   snprintf(count, sizeof count, "%d", ranks);
-  snprintf(crew, sizeof crew, "%d", workers);
+  snprintf(workers_text, sizeof workers_text, "%d", workers);
   snprintf(what, sizeof what, "%d", mode);
   snprintf(path, sizeof path, "%s/%s", folder, out);
   snprintf(said, sizeof said, "%s/said", folder);
@@ -131,7 +132,7 @@ static int start(int ranks, int workers, const char *out, int mode)
                        self,
                        "work",
                        records,
-                       crew,
+                       workers_text,
                        path,
                        what,
                        NULL};

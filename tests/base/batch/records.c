@@ -47,9 +47,9 @@ static enum um_status powers(struct um_context *c, void *user, const double *x, 
 static struct um_batch_task task(bool resume)
 {
   return (struct um_batch_task){.identity = 42,
-                                .ncoordinate = 2,
-                                .nvalue = NVALUE,
-                                .compute = powers,
+                                .work.ncoordinate = 2,
+                                .work.nvalue = NVALUE,
+                                .work.compute = powers,
                                 .folder = folder,
                                 .resume = resume};
 }
@@ -119,7 +119,7 @@ static void test_accepts(void **state)
     struct um_batch *batch;
     struct um_batch_task t = task(again);
     t.accepts = accepts;
-    t.user = &looked;
+    t.work.user = &looked;
     assert_int_equal(um_batch_open(context, &t, &batch), UM_OK);
     for (int run = 0; run < 2; run++) {
       assert_int_equal(um_batch_run(context, batch, x, 2, value, reason), UM_OK);
@@ -199,7 +199,7 @@ static void test_other(void **state)
   t.identity++;
   expect_refusal(t, "points of other work");
   t = task(true);
-  t.nvalue++;
+  t.work.nvalue++;
   expect_refusal(t, "points of other work");
   assert_int_equal(truncate(file, 0), 0);
   int fd = open(file, O_WRONLY);

@@ -106,13 +106,13 @@ static void ask(double *x)
 static struct um_batch *opened(int workers, bool resume)
 {
   struct um_batch_task t = {.identity = 7,
-                            .ncoordinate = 2,
-                            .nvalue = NVALUE,
-                            .compute = waves,
+                            .work.ncoordinate = 2,
+                            .work.nvalue = NVALUE,
+                            .work.compute = waves,
                             .folder = folder,
                             .resume = resume,
-                            .workers = workers,
-                            .silence = silence};
+                            .work.workers = workers,
+                            .work.silence = silence};
   struct um_batch *batch;
   if (um_batch_open(context, &t, &batch) != UM_OK) fail_msg("%s", um_core_message(context));
   return batch;

@@ -1,13 +1,13 @@
 /* Tasks by number: handed out one at a time to whichever worker has none. */
-#include "base/batch/each.h"
+#include "base/workers/each.h"
 
-#include "base/batch/crew_impl.h"
+#include "base/workers/pool.h"
 
 #define LOOK 0.05 /* longest wait between two looks for a stop [s] */
 
 struct work {
-  const struct um_batch_each *each;
-  struct um_batch_crew *crew;
+  const struct um_workers_each *each;
+  struct um_workers_pool *pool;
   size_t next, answered; /* tasks handed out a first time, and done */
   size_t *again;         /* [nagain] tasks whose worker died */
   size_t nagain;
@@ -22,7 +22,7 @@ static enum um_status compute(struct um_context *context, void *user, const doub
 }
 
 static enum um_status died(struct um_context *context, struct work *work,
-                           const struct um_batch_answer *answer)
+                           const struct um_workers_answer *answer)
 {
   if (work->died[answer->number])
     return um_core_fail(context, UM_ERR_LIBRARY, "the process that computed it died, twice (%s)",
@@ -35,10 +35,10 @@ static enum um_status died(struct um_context *context, struct work *work,
 }
 
 static enum um_status answered(struct um_context *context, void *self,
-                               const struct um_batch_answer *answer)
+                               const struct um_workers_answer *answer)
 {
   struct work *work = self;
-  const struct um_batch_each *each = work->each;
+  const struct um_workers_each *each = work->each;
   if (answer->died) return died(context, work, answer);
   work->answered++;
   if (answer->status != UM_OK) um_core_fail(context, answer->status, "%s", answer->reason);
@@ -49,38 +49,39 @@ static enum um_status answered(struct um_context *context, void *self,
 static enum um_status hand_out(struct um_context *context, struct work *work)
 {
   while (work->answered < work->each->n) {
-    while (um_batch_crew_idle(work->crew) > 0 && (work->nagain > 0 || work->next < work->each->n)) {
+    while (um_workers_pool_idle(work->pool) > 0 &&
+           (work->nagain > 0 || work->next < work->each->n)) {
       size_t which = work->nagain > 0 ? work->again[--work->nagain] : work->next++;
-      um_batch_crew_give(work->crew, which, &(double){(double)which});
+      um_workers_pool_give(work->pool, which, &(double){(double)which});
     }
-    UM_TRY(um_batch_crew_wait(context, work->crew, LOOK, answered, work));
+    UM_TRY(um_workers_pool_wait(context, work->pool, LOOK, answered, work));
     UM_TRY(um_core_progress_step(context, 0)); /* hears a stop */
   }
   return UM_OK;
 }
 
-static enum um_status by_workers(struct um_context *context, const struct um_batch_each *each,
+static enum um_status by_workers(struct um_context *context, const struct um_workers_each *each,
                                  int workers)
 {
   enum um_status status;
   struct work work = {.each = each};
-  const struct um_batch_task task = {.ncoordinate = 1,
-                                     .nvalue = each->nvalue,
-                                     .compute = compute,
-                                     .user = &work,
-                                     .workers = workers};
+  const struct um_workers_task task = {.ncoordinate = 1,
+                                       .nvalue = each->nvalue,
+                                       .compute = compute,
+                                       .user = &work,
+                                       .workers = workers};
   UM_CHECK(um_core_allocate(context, each->n, sizeof *work.again, &work.again));
   UM_CHECK(um_core_allocate(context, each->n, sizeof *work.died, &work.died));
-  UM_CHECK(um_batch_crew_create(context, &task, NULL, NULL, &work.crew));
+  UM_CHECK(um_workers_pool_create(context, &task, NULL, NULL, &work.pool));
   UM_CHECK(hand_out(context, &work));
 done:
-  um_batch_crew_destroy(context, &work.crew);
+  um_workers_pool_destroy(context, &work.pool);
   um_core_free(context, work.died);
   um_core_free(context, work.again);
   return status;
 }
 
-static enum um_status here(struct um_context *context, const struct um_batch_each *each)
+static enum um_status here(struct um_context *context, const struct um_workers_each *each)
 {
   enum um_status status = UM_OK;
   double *value;
@@ -98,7 +99,7 @@ done:
   return status;
 }
 
-enum um_status um_batch_each(struct um_context *context, const struct um_batch_each *each)
+enum um_status um_workers_each(struct um_context *context, const struct um_workers_each *each)
 {
   size_t workers = each->workers > 1 ? (size_t)each->workers : 1;
   if (workers > each->n) workers = each->n;

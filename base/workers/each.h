@@ -1,11 +1,11 @@
 /* Tasks by number, computed by worker processes of this machine. Nothing is kept on disk. */
-#ifndef UMBRA_BATCH_EACH_H
-#define UMBRA_BATCH_EACH_H
+#ifndef UMBRA_WORKERS_EACH_H
+#define UMBRA_WORKERS_EACH_H
 
 #include "base/core/context.h"
 
 /* What is to be computed, and who is told. Everything is borrowed for the call. */
-struct um_batch_each {
+struct um_workers_each {
   size_t n, nvalue; /* tasks, and values that each has room for */
   /* Task `which` into value [nvalue], zero before. In a worker process: one thread, no progress, no
    * log, and nothing but `value` comes back. Deterministic: the same whatever was computed before
@@ -23,6 +23,6 @@ struct um_batch_each {
 /* Compute all tasks; each is a step of the progress. A task whose worker dies is computed a second
  * time. Workers are forked in the call and gone at its end. Errors of `done`, UM_ERR_LIBRARY (no
  * process, or one task killed two), UM_ERR_CANCELLED, UM_ERR_MEMORY. */
-enum um_status um_batch_each(struct um_context *context, const struct um_batch_each *each);
+enum um_status um_workers_each(struct um_context *context, const struct um_workers_each *each);
 
 #endif

@@ -1,5 +1,5 @@
 /* A worker process: reads coordinates, computes, writes values. */
-#include "base/batch/worker_impl.h"
+#include "base/workers/worker_impl.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -49,20 +49,20 @@ static void prepare(struct um_context *context, pid_t parent)
   um_core_quiet_begin(context);
 }
 
-static bool answer(struct um_context *context, const struct um_batch_task *task, int end,
+static bool answer(struct um_context *context, const struct um_workers_task *task, int end,
                    uint64_t number, enum um_status status, const double *value)
 {
   const char *reason = um_core_message(context);
   if (status != UM_OK && reason[0] == '\0') reason = um_core_status_text(status);
-  size_t length = status == UM_OK ? 0 : strnlen(reason, UM_BATCH_REASON_LONGEST);
-  struct um_batch_worker_head head = {number, (int32_t)status, (uint32_t)length};
+  size_t length = status == UM_OK ? 0 : strnlen(reason, UM_WORKERS_REASON_LONGEST);
+  struct um_workers_answer_head head = {number, (int32_t)status, (uint32_t)length};
   return um_core_child_write(end, &head, sizeof head) &&
          um_core_child_write(end, status == UM_OK ? (const void *)value : reason,
                              status == UM_OK ? task->nvalue * sizeof *value : length);
 }
 
-_Noreturn void um_batch_worker_live(struct um_context *context, const struct um_batch_task *task,
-                                    int end, pid_t parent)
+_Noreturn void um_workers_worker_run(struct um_context *context, const struct um_workers_task *task,
+                                     int end, pid_t parent)
 {
   uint64_t number;
   prepare(context, parent);

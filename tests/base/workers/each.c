@@ -1,6 +1,6 @@
 /* Tasks by number: the same answers from any number of processes, whatever fails or dies. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-#include "base/batch/each.h"
+#include "base/workers/each.h"
 
 #include <errno.h>
 #include <math.h>
@@ -72,12 +72,12 @@ static bool progress(void *self, const char *task, size_t so_far, size_t total)
 
 static enum um_status run(int workers, struct told *told)
 {
-  const struct um_batch_each each = {
+  const struct um_workers_each each = {
       .n = N, .nvalue = MOST, .compute = compute, .done = done, .user = told, .workers = workers};
   um_core_message_clear(context);
   um_core_progress_set_sink(context, progress, told);
   um_core_progress_begin(context, "tasks", N);
-  enum um_status status = um_batch_each(context, &each);
+  enum um_status status = um_workers_each(context, &each);
   um_core_progress_end(context);
   um_core_progress_set_sink(context, NULL, NULL);
   /* no process stays */
