@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -187,6 +188,46 @@ static void test_sort(void **state)
   free(item);
 }
 
+/* A lock that another thread holds while it computes, as those below Embree do. */
+struct holder {
+  pthread_mutex_t lock;
+  atomic_bool holds;
+  int pipe[2];
+};
+
+static void *hold(void *self)
+{
+  struct holder *holder = self;
+  char byte;
+  pthread_mutex_lock(&holder->lock);
+  atomic_store(&holder->holds, true);
+  for (double until = now() + 0.1; now() < until;) continue;
+  pthread_mutex_unlock(&holder->lock);
+  return read(holder->pipe[0], &byte, 1) == 1 ? self : NULL; /* sleeps */
+}
+
+/* Who forks while that thread runs gives its child a lock that nobody opens. */
+static void test_settle(void **state)
+{
+  (void)state;
+  pthread_t thread;
+  int status = 0;
+  struct holder holder = {.lock = PTHREAD_MUTEX_INITIALIZER};
+  assert_int_equal(pipe(holder.pipe), 0);
+  assert_int_equal(pthread_create(&thread, NULL, hold, &holder), 0);
+  while (!atomic_load(&holder.holds)) continue;
+  um_core_child_settle(20.0);
+  pid_t child = fork();
+  if (child == 0) _exit(pthread_mutex_trylock(&holder.lock) == 0 ? 0 : 1);
+  assert_int_equal(waitpid(child, &status, 0), child);
+  assert_true(WIFEXITED(status));
+  assert_int_equal(WEXITSTATUS(status), 0);
+  assert_int_equal(write(holder.pipe[1], "x", 1), 1);
+  assert_int_equal(pthread_join(thread, NULL), 0);
+  close(holder.pipe[0]);
+  close(holder.pipe[1]);
+}
+
 /* Progress without a sink hears a stop too, and says what was done. */
 static void test_progress_stops(void **state)
 {
@@ -209,8 +250,9 @@ static void test_progress_stops(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_answer), cmocka_unit_test(test_closed_streams),
-      cmocka_unit_test(test_ends),   cmocka_unit_test(test_stop),
-      cmocka_unit_test(test_sort),   cmocka_unit_test(test_progress_stops)};
+      cmocka_unit_test(test_answer),        cmocka_unit_test(test_closed_streams),
+      cmocka_unit_test(test_ends),          cmocka_unit_test(test_stop),
+      cmocka_unit_test(test_settle),        cmocka_unit_test(test_sort),
+      cmocka_unit_test(test_progress_stops)};
   return cmocka_run_group_tests_name("child", tests, context_set_up, context_tear_down);
 }
