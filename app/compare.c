@@ -99,7 +99,7 @@ static void print_comparison(const struct um_compare_comparison *c, const char *
   size_t count = 0;
   for (size_t i = 0; i < c->nchannel; i++) count += c->channel[i].count;
   printf("%s against %s: %zu observations at %zu times\n", c->run.model->scenario->name,
-         c->run.plan->measurements->path, count, c->run.precomputed->nobs);
+         c->run.plan->measurements->path, count, c->run.tables->nobs);
   for (size_t i = 0; i < c->nchannel; i++) print_channel(c, i);
   if (!isnan(c->chi2_reduced))
     printf("all channels: chi2 %.6g of %.6g degrees of freedom, reduced %.4g\n", c->chi2, c->dof,

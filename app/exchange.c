@@ -7,7 +7,7 @@
 #include "model/build/build.h"
 #include "model/geometry/mirrors.h"
 #include "model/geometry/precompute.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "output/exchange.h"
 
 static void print(const struct um_app_options *options,
@@ -29,7 +29,7 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_thermal_exchange *exchange = NULL;
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
@@ -40,23 +40,23 @@ int um_app_exchange(struct um_context *context, const struct um_app_options *opt
   UM_CHECK(um_core_asprintf(context, &name, "%s-exchange", model->scenario->name));
   UM_CHECK(um_app_out_folder(context, options, name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
-  if (precomputed->view_factors == NULL) {
+  UM_CHECK(um_model_precompute(context, model, &tables));
+  if (tables->view_factors == NULL) {
     status = um_core_fail(context, UM_ERR_INPUT,
                           "%s: heat is not followed, so nothing is exchanged; accepted: an orbit "
                           "other than points",
                           options->positional[0]);
     goto done;
   }
-  const struct um_geometry_view_factor_table *table = precomputed->view_factors;
+  const struct um_geometry_view_factor_table *table = tables->view_factors;
   if (table->mirrors != NULL) {
     UM_CHECK(um_model_lobes_make(context, model, table->mirrors, &lobes));
     infrared.lobes = &lobes.lobes;
   }
   if (model->environment.mutual_radiation_on)
     UM_CHECK(um_thermal_exchange_create(context, model->body->network,
-                                        table->ntime == 1 ? NULL : precomputed->loads, table,
-                                        &infrared, &exchange));
+                                        table->ntime == 1 ? NULL : tables->loads, table, &infrared,
+                                        &exchange));
   UM_CHECK(um_output_write_exchange(context, model, table, exchange, folder));
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
@@ -65,7 +65,7 @@ done:
   um_core_folder_abort(&folder);
   um_model_lobes_clear(context, &lobes);
   um_thermal_exchange_destroy(context, &exchange);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   UM_FREE(context, out, name);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

@@ -26,7 +26,7 @@ struct star {
 /* What is drawn. */
 struct scene {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   size_t sensor;
   struct um_model_frame frame;
   struct star *star; /* [nstar] */
@@ -47,7 +47,7 @@ static double at_pixel(int side, double arcsec, double pixel)
 static enum um_status make_stars(struct um_context *context, const struct um_app_options *options,
                                  struct scene *scene, struct um_instrument_frame_star *light)
 {
-  const struct um_model_precomputed *t = scene->precomputed;
+  const struct um_model_tables *t = scene->tables;
   size_t instant = t->nobs - 1;
   const struct um_instrument_sensor *optics = &scene->model->sensor[scene->sensor].optics;
   scene->airmass = um_environment_airmass(t->look[instant * t->nsub + t->nsub / 2].elevation);
@@ -192,8 +192,8 @@ static enum um_status compute(struct um_context *context, const struct um_app_op
   o->star = light;
   o->nstar = options->nstar;
   if (status == UM_OK)
-    status = um_model_frame_create(context, scene->model, scene->precomputed, result,
-                                   scene->precomputed->nobs - 1, scene->sensor, o, &scene->frame);
+    status = um_model_frame_create(context, scene->model, scene->tables, result,
+                                   scene->tables->nobs - 1, scene->sensor, o, &scene->frame);
   um_core_free(context, light);
   if (status != UM_OK) return status;
   size_t n = (size_t)scene->frame.frame.width * (size_t)scene->frame.frame.height;
@@ -205,7 +205,7 @@ static enum um_status frame(struct um_context *context, const struct um_app_opti
                             struct um_model_frame_options *o, const uint64_t *seed)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct scene scene = {.model = model, .nstar = options->nstar, .airmass = NAN};
   status = um_model_sensor_require(context, model, options->sensor, &scene.sensor);
@@ -214,9 +214,9 @@ static enum um_status frame(struct um_context *context, const struct um_app_opti
   UM_TRY(um_app_instant_within(context, "--time", options->time_utc, t, model, ""));
   UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.star, &scene.star));
   UM_CHECK(um_core_allocate(context, scene.nstar, sizeof *scene.marked, &scene.marked));
-  UM_CHECK(um_app_instant_precompute(context, model, t, &precomputed));
-  UM_CHECK(um_model_run(context, model, precomputed, &result));
-  scene.precomputed = precomputed;
+  UM_CHECK(um_app_instant_precompute(context, model, t, &tables));
+  UM_CHECK(um_model_run(context, model, tables, &result));
+  scene.tables = tables;
   UM_CHECK(compute(context, options, result, o, &scene));
   read_out(&scene, seed);
   UM_CHECK(write_fits(context, options, &scene));
@@ -226,7 +226,7 @@ done:
   UM_FREE(context, scene.counts, scene.star, scene.marked);
   um_model_frame_clear(context, &scene.frame);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   return status;
 }
 

@@ -43,7 +43,7 @@ enum um_status um_app_instant_within(struct um_context *context, const char *opt
 }
 
 enum um_status um_app_instant_precompute(struct um_context *context, const struct um_model *model,
-                                         double t, struct um_model_precomputed **out)
+                                         double t, struct um_model_tables **out)
 {
   const struct um_scenario_time *time = model->scenario->time;
   const double times[] = {time->start, t}, exposures[] = {0.0, time->exposure_s};

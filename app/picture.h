@@ -3,7 +3,7 @@
 #define UMBRA_APP_PICTURE_H
 
 #include "app/app.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "output/cube.h"
 #include "output/exr.h"
 
@@ -18,7 +18,7 @@ enum um_status um_app_instant_within(struct um_context *context, const char *opt
 /* From the scenario's start to an instant in it, so that heat has the history that a run gives it;
  * the instant is the last observation. The caller destroys. Errors of um_model_precompute_at. */
 enum um_status um_app_instant_precompute(struct um_context *context, const struct um_model *model,
-                                         double t, struct um_model_precomputed **out);
+                                         double t, struct um_model_tables **out);
 /* --wavelengths FROM-TO [um] and --tile X,Y,WIDTH,HEIGHT as typed, all without them. UM_ERR_INPUT.
  */
 enum um_status um_app_picture_part(struct um_context *context, const struct um_app_options *options,

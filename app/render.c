@@ -70,7 +70,7 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
                              struct um_model *model, double t)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct um_optics_image *image = NULL;
   size_t band;
@@ -81,9 +81,9 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
   }
   UM_CHECK(um_app_instant_within(context, "--time", options->time_utc, t, model, ""));
   UM_CHECK(estimate(context, options, model, t, band));
-  UM_CHECK(um_app_instant_precompute(context, model, t, &precomputed));
-  UM_CHECK(um_model_run(context, model, precomputed, &result));
-  UM_CHECK(um_model_picture(context, model, precomputed, result, precomputed->nobs - 1, band, 1,
+  UM_CHECK(um_app_instant_precompute(context, model, t, &tables));
+  UM_CHECK(um_model_run(context, model, tables, &result));
+  UM_CHECK(um_model_picture(context, model, tables, result, tables->nobs - 1, band, 1,
                             width_of(options), samples_of(options), &image));
   UM_CHECK(write_picture(context, options, model, image, band));
   UM_CHECK(mean_radiance(context, image, &mean));
@@ -92,7 +92,7 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
 done:
   um_optics_image_destroy(context, &image);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   return status;
 }
 

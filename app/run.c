@@ -27,14 +27,12 @@ static void place_summary(const struct um_model_result *r, size_t place, double 
   }
 }
 
-static double orbits_of(const struct um_model_precomputed *precomputed)
+static double orbits_of(const struct um_model_tables *tables)
 {
-  return (precomputed->loads->t[precomputed->loads->ntime - 1] - precomputed->t_start) /
-         precomputed->period;
+  return (tables->loads->t[tables->loads->ntime - 1] - tables->t_start) / tables->period;
 }
 
-static void print_heat(const struct um_model_precomputed *precomputed,
-                       const struct um_model_result *r)
+static void print_heat(const struct um_model_tables *tables, const struct um_model_result *r)
 {
   printf("%-24s %10s %10s %10s %14s\n", "temperatures [K]", "mean", "lowest", "highest",
          "drift/orbit");
@@ -49,7 +47,7 @@ static void print_heat(const struct um_model_precomputed *precomputed,
   }
   const struct um_thermal_heat *a = &r->audit;
   printf("energy audit");
-  if (!isnan(precomputed->period)) printf(" over %.2f orbits", orbits_of(precomputed));
+  if (!isnan(tables->period)) printf(" over %.2f orbits", orbits_of(tables));
   printf(": in %.6g J, out %.6g J, stored %.6g J, error %.1e of the turnover (limit 1e-6)\n",
          a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
 }
@@ -71,10 +69,10 @@ static void json_heat(const struct um_model_result *r)
   um_core_json_field(stdout, "", "energy_audit_error", r->audit_error);
 }
 
-static size_t hidden_count(const struct um_model_precomputed *precomputed)
+static size_t hidden_count(const struct um_model_tables *tables)
 {
   size_t n = 0;
-  for (size_t k = 0; k < precomputed->nobs; k++) n += precomputed->hidden[k];
+  for (size_t k = 0; k < tables->nobs; k++) n += tables->hidden[k];
   return n;
 }
 
@@ -83,7 +81,7 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
   const struct um_model_result *r = run->result;
   printf("%s: %zu observations, %zu surfaces, %zu heat nodes, %zu integrator steps\n",
          run->model->scenario->name, r->nobs, r->nsurface, r->nnode, r->steps);
-  print_heat(run->precomputed, r);
+  print_heat(run->tables, r);
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) um_app_run_print_band(run, b, work);
   const struct um_model *model = run->model;
   if (!isnan(model->orbit_error))
@@ -91,7 +89,7 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
            "(1 sigma)\n",
            fabs(model->orbit_age) / 86400.0, model->orbit_age >= 0.0 ? "old" : "ahead",
            1e-3 * model->orbit_error, model->orbit_delay);
-  size_t hidden = hidden_count(run->precomputed);
+  size_t hidden = hidden_count(run->tables);
   if (hidden > 0)
     printf("%zu of %zu observations are not seen, %s: no irradiance and no magnitude is given\n",
            hidden, r->nobs,
@@ -108,7 +106,7 @@ static void json_run(const struct um_output_run *run, const char *folder, double
   um_core_json_text(stdout, ", ", "folder", folder);
   printf(",\n  \"observations\": %zu, \"hidden_observations\": %zu, \"surfaces\": %zu, "
          "\"heat_nodes\": %zu, \"integrator_steps\": %zu",
-         r->nobs, hidden_count(run->precomputed), r->nsurface, r->nnode, r->steps);
+         r->nobs, hidden_count(run->tables), r->nsurface, r->nnode, r->steps);
   um_core_json_field(stdout, ",\n  ", "orbit_age_days", run->model->orbit_age / 86400.0);
   um_core_json_field(stdout, ", ", "orbit_error_km", 1e-3 * run->model->orbit_error);
   um_core_json_field(stdout, ", ", "orbit_error_s", run->model->orbit_delay);
@@ -171,7 +169,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   enum um_status status;
   struct um_output_run run = {.command = options->command, .version = UM_APP_VERSION};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct um_core_folder *folder = NULL;
   char *out = NULL;
@@ -180,16 +178,16 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_app_out_folder(context, options, model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
-  UM_CHECK(um_app_run_views_check(context, model, precomputed, options));
+  UM_CHECK(um_model_precompute(context, model, &tables));
+  UM_CHECK(um_app_run_views_check(context, model, tables, options));
   traced = seconds();
-  UM_CHECK(um_model_run(context, model, precomputed, &result));
+  UM_CHECK(um_model_run(context, model, tables, &result));
   UM_CHECK(estimate(context, model, result));
   computed = seconds();
   run.options = &changes;
   run.context = context;
   run.model = model;
-  run.precomputed = precomputed;
+  run.tables = tables;
   run.result = result;
   if (!options->no_plots && model->has_observer)
     UM_CHECK(um_app_run_panels(context, &run, um_core_folder_path(folder)));
@@ -204,7 +202,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
 done:
   um_core_folder_abort(&folder);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   um_core_free(context, out);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

@@ -34,7 +34,7 @@ struct band_summary {
 };
 
 /* work: shape [nobs]. */
-static struct band_summary band_summary(const struct um_model_precomputed *precomputed,
+static struct band_summary band_summary(const struct um_model_tables *tables,
                                         const struct um_model_result *r, size_t band, double *work)
 {
   struct band_summary s = {.low = INFINITY, .median = NAN, .umbra_low = INFINITY};
@@ -43,7 +43,7 @@ static struct band_summary band_summary(const struct um_model_precomputed *preco
     s.low = fmin(s.low, total);
     s.high = fmax(s.high, total);
     if (total > 0.0) work[s.lit++] = r->standard_error[k * r->nband + band] / total;
-    if (precomputed->sunlit[k] > UM_UMBRA_MOST) continue;
+    if (tables->sunlit[k] > UM_UMBRA_MOST) continue;
     s.umbra++;
     s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
     s.umbra_low = fmin(s.umbra_low, total);
@@ -59,7 +59,7 @@ static struct band_summary band_summary(const struct um_model_precomputed *preco
 void um_app_run_print_band(const struct um_output_run *run, size_t band, double *work)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->precomputed, r, band, work);
+  struct band_summary s = band_summary(run->tables, r, band, work);
   double sum = 0.0;
   printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
   if (s.umbra > 0)
@@ -81,7 +81,7 @@ void um_app_run_print_band(const struct um_output_run *run, size_t band, double 
 void um_app_run_json_band(const struct um_output_run *run, size_t band, double *work)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->precomputed, r, band, work);
+  struct band_summary s = band_summary(run->tables, r, band, work);
   double sum = 0.0;
   um_core_json_text(stdout, "{", "name", run->model->band[band].name);
   um_core_json_field(stdout, ", ", "lowest_W_sr", s.low);

@@ -20,14 +20,14 @@
 
 /* Instants worth a picture: the middle of the longest darkness, the brightest of the first and of
  * the last band; where these coincide, the middle of a third of the run. In order of time. */
-static void choose_instants(const struct um_model_precomputed *precomputed,
-                            const struct um_model_result *r, size_t k[PANEL_COLUMNS])
+static void choose_instants(const struct um_model_tables *tables, const struct um_model_result *r,
+                            size_t k[PANEL_COLUMNS])
 {
   size_t longest = 0, n = r->nobs;
   for (size_t c = 0; c < PANEL_COLUMNS; c++) k[c] = n * (2 * c + 1) / (2 * PANEL_COLUMNS);
   for (size_t i = 0; i < n; i++) {
     size_t end = i;
-    while (end < n && !(precomputed->sunlit[end] > UM_UMBRA_MOST)) end++;
+    while (end < n && !(tables->sunlit[end] > UM_UMBRA_MOST)) end++;
     if (end - i > longest) {
       longest = end - i;
       k[0] = i + longest / 2;
@@ -53,12 +53,12 @@ static void choose_instants(const struct um_model_precomputed *precomputed,
 }
 
 /* "2016-09-21 20:36:59 UTC, in shadow" */
-static void caption(const struct um_model_precomputed *precomputed, size_t k, char out[CAPTION])
+static void caption(const struct um_model_tables *tables, size_t k, char out[CAPTION])
 {
   char time[32];
-  um_orbit_time_format(precomputed->t_obs[k], time);
+  um_orbit_time_format(tables->t_obs[k], time);
   snprintf(out, CAPTION, "%.10s %.8s UTC%s", time, time + 11,
-           precomputed->sunlit[k] > UM_UMBRA_MOST ? "" : ", in shadow");
+           tables->sunlit[k] > UM_UMBRA_MOST ? "" : ", in shadow");
 }
 
 enum um_status um_app_run_panels(struct um_context *context, const struct um_output_run *run,
@@ -70,16 +70,15 @@ enum um_status um_app_run_panels(struct um_context *context, const struct um_out
   struct um_optics_image *image[PANEL_COLUMNS] = {NULL};
   char captions[PANEL_COLUMNS][CAPTION];
   UM_TRY(um_core_allocate(context, nband * PANEL_COLUMNS, sizeof *panels, &panels));
-  choose_instants(run->precomputed, run->result, instant);
+  choose_instants(run->tables, run->result, instant);
   for (size_t c = 0; c < PANEL_COLUMNS; c++) {
     size_t k = instant[c];
-    caption(run->precomputed, k, captions[c]);
-    UM_CHECK(um_model_picture(context, run->model, run->precomputed, run->result, k, 0, nband,
+    caption(run->tables, k, captions[c]);
+    UM_CHECK(um_model_picture(context, run->model, run->tables, run->result, k, 0, nband,
                               PANEL_WIDTH, 4, &image[c]));
     for (size_t b = 0; b < nband; b++)
       panels[b * PANEL_COLUMNS + c] = (struct um_output_panel){
-          image[c],
-          &run->precomputed->sample[k * run->precomputed->nsub + run->precomputed->nsub / 2],
+          image[c], &run->tables->sample[k * run->tables->nsub + run->tables->nsub / 2],
           &run->model->band[b], b, captions[c]};
   }
   UM_CHECK(um_output_plot_panels(context, panels, nband, PANEL_COLUMNS, folder));
@@ -91,14 +90,13 @@ done:
 
 /* The observation nearest to a time, or the one at which sunlight begins. */
 static enum um_status find_view(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed, const char *text,
-                                size_t *out)
+                                const struct um_model_tables *tables, const char *text, size_t *out)
 {
-  size_t n = precomputed->nobs;
-  const double *t = precomputed->t_obs;
+  size_t n = tables->nobs;
+  const double *t = tables->t_obs;
   if (strcmp(text, FIRST_LIGHT) == 0) {
     for (size_t k = 1; k < n; k++)
-      if (precomputed->sunlit[k] > UM_UMBRA_MOST && !(precomputed->sunlit[k - 1] > UM_UMBRA_MOST)) {
+      if (tables->sunlit[k] > UM_UMBRA_MOST && !(tables->sunlit[k - 1] > UM_UMBRA_MOST)) {
         *out = k;
         return UM_OK;
       }
@@ -122,11 +120,11 @@ static enum um_status write_view(struct um_context *context, const struct um_out
   struct um_optics_image *image = NULL;
   char *path = NULL, time[32], name[32];
   enum um_status status;
-  um_orbit_time_format(run->precomputed->t_obs[k], time);
+  um_orbit_time_format(run->tables->t_obs[k], time);
   snprintf(name, sizeof name, "%.4s%.2s%.2sT%.2s%.2s%.2sZ", time, time + 5, time + 8, time + 11,
            time + 14, time + 17);
-  UM_CHECK(um_model_picture(context, run->model, run->precomputed, run->result, k, 0,
-                            run->model->nband, VIEW_WIDTH, UM_APP_RENDER_SAMPLES, &image));
+  UM_CHECK(um_model_picture(context, run->model, run->tables, run->result, k, 0, run->model->nband,
+                            VIEW_WIDTH, UM_APP_RENDER_SAMPLES, &image));
   for (size_t b = 0; b < run->model->nband; b++) {
     struct um_output_cut cut = um_output_cut_whole(image);
     cut.bin = image->first[b];
@@ -150,14 +148,14 @@ enum um_status um_app_run_views(struct um_context *context, const struct um_outp
 {
   for (size_t i = 0; i < options->npicture; i++) {
     size_t k = 0;
-    UM_TRY(find_view(context, run->model, run->precomputed, options->picture[i], &k));
+    UM_TRY(find_view(context, run->model, run->tables, options->picture[i], &k));
     UM_TRY(write_view(context, run, k, folder));
   }
   return UM_OK;
 }
 
 enum um_status um_app_run_views_check(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_tables *tables,
                                       const struct um_app_options *options)
 {
   size_t unused = 0;
@@ -165,6 +163,6 @@ enum um_status um_app_run_views_check(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT, "--picture %s: a picture needs an observer",
                         options->picture[0]);
   for (size_t i = 0; i < options->npicture; i++)
-    UM_TRY(find_view(context, model, precomputed, options->picture[i], &unused));
+    UM_TRY(find_view(context, model, tables, options->picture[i], &unused));
   return UM_OK;
 }

@@ -108,21 +108,21 @@ enum um_status um_app_space_error(struct um_context *context, const struct um_mo
   size_t room = SETS_PER_PART * model->scenario->parts.count, nset = 0;
   struct um_document_change *set = NULL;
   struct um_model *finer = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *other = NULL;
   *out = (struct um_app_space_error){.place = "none"};
   UM_CHECK(um_core_allocate(context, room, sizeof *set, &set));
   UM_CHECK(halve(context, model, set, &nset));
   const struct um_model_changes changes = {.key = set, .nkey = nset};
   UM_CHECK(um_model_variant_create(context, model, &changes, &finer));
-  UM_CHECK(um_model_precompute(context, finer, &precomputed));
-  UM_CHECK(um_model_run(context, finer, precomputed, &other));
+  UM_CHECK(um_model_precompute(context, finer, &tables));
+  UM_CHECK(um_model_run(context, finer, tables, &other));
   out->nsurface = other->nsurface;
   of_temperatures(result, other, out);
   of_light(model, result, other, out);
 done:
   um_model_result_destroy(context, &other);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &finer);
   for (size_t i = 0; i < nset; i++) um_core_free(context, (void *)(uintptr_t)set[i].key);
   um_core_free(context, set);

@@ -66,19 +66,19 @@ static enum um_status make(struct um_context *context, const struct um_app_optio
 {
   enum um_status status;
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   UM_CHECK(um_compare_synth_check(context, model, o));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
+  UM_CHECK(um_model_precompute(context, model, &tables));
   struct um_compare_synth looked_at = *o;
-  UM_CHECK(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
-                             um_compare_synth_share, &looked_at, &result, NULL));
-  UM_CHECK(um_compare_synth_create(context, model, precomputed, result, o, options->out, out));
+  UM_CHECK(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE, um_compare_synth_share,
+                             &looked_at, &result, NULL));
+  UM_CHECK(um_compare_synth_create(context, model, tables, result, o, options->out, out));
 done:
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return status;
 }

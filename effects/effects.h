@@ -52,8 +52,8 @@ enum um_status um_effects_check(struct um_context *context, const struct um_effe
 /* What hangs on an effect's values, and so has to be computed again when they change; anything that
  * is not reached is the same to the last bit. */
 enum um_effects_reach {
-  UM_REACH_PRECOMPUTED = 1, /* shapes, places, times: the geometry precomputation */
-  UM_REACH_LIGHT = 2,       /* Sun, Earth, shadow: the precomputation where their numbers differ */
+  UM_REACH_GEOMETRY = 1,    /* shapes, places, times: the geometry tables */
+  UM_REACH_LIGHT = 2,       /* Sun, Earth, shadow: the geometry tables where their numbers differ */
   UM_REACH_THERMAL = 4,     /* heat network: the thermal solution where its numbers differ */
   UM_REACH_OPTICS = 8,      /* how surfaces return and emit light; temperature reaches it too */
   UM_REACH_OBSERVATION = 16 /* what is done to the light behind the satellite */

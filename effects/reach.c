@@ -6,10 +6,10 @@ uint32_t um_effects_reach(const struct um_effect *effect)
 {
   const struct um_effect_hooks *h = &effect->hooks;
   uint32_t reach = 0;
-  if (h->geometry != NULL) reach |= UM_REACH_PRECOMPUTED | UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->geometry != NULL) reach |= UM_REACH_GEOMETRY | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->time != NULL || h->exposure != NULL || h->along_track != NULL || h->law != NULL ||
       h->attitude != NULL)
-    reach |= UM_REACH_PRECOMPUTED | UM_REACH_THERMAL | UM_REACH_OPTICS;
+    reach |= UM_REACH_GEOMETRY | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->environment != NULL || effect->switch_off != NULL)
     reach |= UM_REACH_LIGHT | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->material != NULL || h->creases != NULL) reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;

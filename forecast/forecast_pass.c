@@ -80,7 +80,7 @@ void um_forecast_changes_clear(struct um_context *context, struct um_forecast_ch
 }
 
 /* The observation nearest to a time. */
-static size_t nearest(const struct um_model_precomputed *p, double t)
+static size_t nearest(const struct um_model_tables *p, double t)
 {
   size_t best = 0;
   for (size_t k = 1; k < p->nobs; k++)
@@ -88,14 +88,14 @@ static size_t nearest(const struct um_model_precomputed *p, double t)
   return best;
 }
 
-static double magnitude(const struct um_model_precomputed *p, const struct um_model_result *r,
-                        size_t k, size_t band)
+static double magnitude(const struct um_model_tables *p, const struct um_model_result *r, size_t k,
+                        size_t band)
 {
   return p->hidden[k] ? NAN : r->magnitude_ab[k * r->nband + band];
 }
 
 /* Largest radiant intensity toward the observer, and what is seen when. */
-static struct um_forecast_band band_of(const struct um_model_precomputed *p,
+static struct um_forecast_band band_of(const struct um_model_tables *p,
                                        const struct um_model_result *r, size_t band,
                                        double culmination)
 {
@@ -132,7 +132,7 @@ static struct um_forecast_place place_of(const struct um_model_result *r, size_t
 }
 
 /* In the order of um_forecast_values. */
-static void store(const struct um_forecast_work *work, const struct um_model_precomputed *p,
+static void store(const struct um_forecast_work *work, const struct um_model_tables *p,
                   const struct um_model_result *r, double delay, double culmination, double *value)
 {
   *value++ = delay;
@@ -172,7 +172,7 @@ enum um_status um_forecast_compute(struct um_context *context, void *user, const
                                NAN, &changes));
   UM_CHECK(um_variant_open_over(context, work->evaluator, &own_window, &changes.all, &heat, &v));
   UM_CHECK(um_variant_observe(context, work->evaluator, &v, &result));
-  store(work, v.precomputed, result, v.model->orbit_delay, coordinate[3], value);
+  store(work, v.tables, result, v.model->orbit_delay, coordinate[3], value);
 done:
   um_model_result_destroy(context, &result);
   um_variant_close(context, &v);

@@ -139,7 +139,7 @@ static enum um_status take(struct um_context *context, void *user, size_t which,
   (void)which;
   struct umbra_result shown = {.narray = 0};
   enum um_status status =
-      um_library_run_arrays(context, variant->model, variant->precomputed, run, &shown);
+      um_library_run_arrays(context, variant->model, variant->tables, run, &shown);
   if (status == UM_OK) status = copy(context, user, &shown, value);
   shown_release(context, &shown);
   return status;
@@ -154,7 +154,7 @@ static enum um_status take_first(struct um_context *context, void *user, size_t 
   enum um_status status;
   struct job *job = user;
   struct umbra_result shown = {.narray = 0};
-  UM_CHECK(um_library_run_arrays(context, variant->model, variant->precomputed, run, &shown));
+  UM_CHECK(um_library_run_arrays(context, variant->model, variant->tables, run, &shown));
   UM_CHECK(make_arrays(context, job, &shown));
   UM_CHECK(um_core_allocate(context, numbers(job->result), sizeof *job->value, &job->value));
   UM_CHECK(copy(context, job, &shown, job->value));

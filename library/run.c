@@ -11,7 +11,7 @@
 
 struct run {
   struct umbra_model *model; /* shared */
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   char *log; /* what was said while it was built and run */
 };
@@ -20,7 +20,7 @@ static void run_release(struct um_context *context, void *work)
 {
   struct run *run = work;
   um_model_result_destroy(context, &run->result);
-  um_model_precomputed_destroy(context, &run->precomputed);
+  um_model_tables_destroy(context, &run->tables);
   um_library_model_drop(&run->model);
   UM_FREE(context, run->log, run);
 }
@@ -30,7 +30,7 @@ static enum um_status run_write(struct um_context *context, const struct umbra_r
 {
   const struct run *run = result->work;
   const struct um_output_run files = {.model = run->model->model,
-                                      .precomputed = run->precomputed,
+                                      .tables = run->tables,
                                       .result = run->result,
                                       .command = write->command,
                                       .version = UM_LIBRARY_VERSION,
@@ -112,27 +112,26 @@ static double unix_time(double t_tai)
 }
 
 /* One number of every observation. */
-static enum um_status make_times(struct um_context *context,
-                                 const struct um_model_precomputed *precomputed, bool observer,
-                                 struct umbra_result *to)
+static enum um_status make_times(struct um_context *context, const struct um_model_tables *tables,
+                                 bool observer, struct umbra_result *to)
 {
-  const struct umbra_array a = {.shape = {precomputed->nobs}, .axis = {"time"}};
+  const struct umbra_array a = {.shape = {tables->nobs}, .axis = {"time"}};
   double *time, *sunlit, *hidden, *range, *phase;
   UM_TRY(um_library_result_make(context, to, a, "time_unix_s", "s", &time));
   UM_TRY(um_library_result_make(context, to, a, "sunlit", "1", &sunlit));
   UM_TRY(um_library_result_make(context, to, a, "hidden", "1", &hidden));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    time[k] = unix_time(precomputed->t_obs[k]);
-    sunlit[k] = precomputed->sunlit[k];
-    hidden[k] = precomputed->hidden[k] ? 1.0 : 0.0;
+  for (size_t k = 0; k < tables->nobs; k++) {
+    time[k] = unix_time(tables->t_obs[k]);
+    sunlit[k] = tables->sunlit[k];
+    hidden[k] = tables->hidden[k] ? 1.0 : 0.0;
   }
   if (!observer) return UM_OK;
   UM_TRY(um_library_result_make(context, to, a, "range_m", "m", &range));
   UM_TRY(um_library_result_make(context, to, a, "phase_angle_rad", "rad", &phase));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    size_t middle = k * precomputed->nsub + precomputed->nsub / 2;
-    const struct um_environment_sample *s = &precomputed->sample[middle];
-    range[k] = precomputed->look[middle].range;
+  for (size_t k = 0; k < tables->nobs; k++) {
+    size_t middle = k * tables->nsub + tables->nsub / 2;
+    const struct um_environment_sample *s = &tables->sample[middle];
+    range[k] = tables->look[middle].range;
     phase[k] = um_vec3_angle(s->sun, s->to_observer);
   }
   return UM_OK;
@@ -171,10 +170,10 @@ static enum um_status make_places(struct um_context *context, const struct um_mo
 }
 
 enum um_status um_library_run_arrays(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_tables *tables,
                                      const struct um_model_result *r, struct umbra_result *to)
 {
-  UM_TRY(make_times(context, precomputed, model->has_observer, to));
+  UM_TRY(make_times(context, tables, model->has_observer, to));
   if (model->has_observer) {
     UM_TRY(make_light(context, r, to));
     UM_TRY(show_light(context, r, to));
@@ -193,13 +192,13 @@ enum umbra_status umbra_run(struct umbra *umbra, struct umbra_model *model,
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
   run->model = um_library_model_share(model);
-  UM_CHECK(um_model_precompute(context, model->model, &run->precomputed));
-  UM_CHECK(um_model_run(context, model->model, run->precomputed, &run->result));
+  UM_CHECK(um_model_precompute(context, model->model, &run->tables));
+  UM_CHECK(um_model_run(context, model->model, run->tables, &run->result));
   UM_CHECK(um_core_asprintf(context, &run->log, "%s%s", model->log, um_core_log_text(context)));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   run = NULL;
   const struct run *of = result->work;
-  UM_CHECK(um_library_run_arrays(context, model->model, of->precomputed, of->result, result));
+  UM_CHECK(um_library_run_arrays(context, model->model, of->tables, of->result, result));
   *out = result;
 done:
   if (run != NULL) run_release(context, run);

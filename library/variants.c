@@ -200,8 +200,8 @@ enum umbra_status umbra_variant_run(struct umbra *umbra, struct umbra_variants *
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   const struct run *of = result->work;
   run = NULL;
-  UM_CHECK(um_library_run_arrays(context, of->variant.model, of->variant.precomputed, of->result,
-                                 result));
+  UM_CHECK(
+      um_library_run_arrays(context, of->variant.model, of->variant.tables, of->result, result));
   *out = result;
 done:
   um_library_changes_clear(context, &changes);

@@ -25,9 +25,9 @@ enum um_status um_output_write_counts(const struct um_output_run *run, FILE *fil
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
     UM_TRY(um_output_stop(run));
-    um_output_csv_time(file, run->precomputed->t_obs[k]);
+    um_output_csv_time(file, run->tables->t_obs[k]);
     for (size_t s = 0; s < model->nsensor; s++) {
-      struct um_instrument_exposure e = um_model_expose(model, run->precomputed, r, k, s);
+      struct um_instrument_exposure e = um_model_expose(model, run->tables, r, k, s);
       um_core_csv_put_number(file, r->count_rate[k * r->nsensor + s]);
       um_core_csv_put_number(file, r->count_rate_error[k * r->nsensor + s]);
       um_core_csv_put_number(file, e.signal);
@@ -35,7 +35,7 @@ enum um_status um_output_write_counts(const struct um_output_run *run, FILE *fil
       um_core_csv_put_number(file, e.peak);
       um_core_csv_put_number(file, isnan(e.peak) ? (double)NAN : e.saturated);
       um_core_csv_put_number(file, e.snr);
-      um_core_csv_put_number(file, um_model_scintillation(model, run->precomputed, k, s));
+      um_core_csv_put_number(file, um_model_scintillation(model, run->tables, k, s));
       um_core_csv_put_number(file, e.limit_ab);
     }
     fputc('\n', file);

@@ -73,27 +73,27 @@ static void write_header(const struct um_output_run *run, FILE *file)
 }
 
 /* The instant nearest mid-exposure stands for the geometry of an observation. */
-static size_t middle(const struct um_model_precomputed *precomputed, size_t k)
+static size_t middle(const struct um_model_tables *tables, size_t k)
 {
-  return k * precomputed->nsub + precomputed->nsub / 2;
+  return k * tables->nsub + tables->nsub / 2;
 }
 
 enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file)
 {
-  const struct um_model_precomputed *precomputed = run->precomputed;
+  const struct um_model_tables *tables = run->tables;
   const struct um_model_result *r = run->result;
   write_header(run, file);
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    const struct um_orbit_look *look = &precomputed->look[middle(precomputed, k)];
-    const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+  for (size_t k = 0; k < tables->nobs; k++) {
+    const struct um_orbit_look *look = &tables->look[middle(tables, k)];
+    const struct um_environment_sample *s = &tables->sample[middle(tables, k)];
     UM_TRY(um_output_stop(run));
-    um_output_csv_time(file, precomputed->t_obs[k]);
+    um_output_csv_time(file, tables->t_obs[k]);
     um_core_csv_put_number(file, look->azimuth / UM_DEG);
     um_core_csv_put_number(file, look->elevation / UM_DEG);
     um_core_csv_put_number(file, look->range * 1e-3);
     um_core_csv_put_number(file, um_environment_airmass_toward(look->elevation));
     um_core_csv_put_number(file, um_vec3_angle(s->sun, s->to_observer) / UM_DEG);
-    um_core_csv_put_number(file, precomputed->sunlit[k]);
+    um_core_csv_put_number(file, tables->sunlit[k]);
     um_core_csv_put_number(file, look->sun_elevation / UM_DEG);
     double nearer = 5.0 * log10(look->range / STANDARD_RANGE); /* [mag] */
     for (size_t b = 0; b < r->nband; b++) {
@@ -128,7 +128,7 @@ enum um_status um_output_write_materials(const struct um_output_run *run, FILE *
         UM_TRY(um_output_stop(run));
         const double *at =
             r->intensity + ((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT;
-        um_output_csv_time(file, run->precomputed->t_obs[k]);
+        um_output_csv_time(file, run->tables->t_obs[k]);
         um_core_csv_put_text(file, run->model->band[b].name, "");
         um_core_csv_put_text(file, um_geometry_material_name(run->model->geometry, m), "");
         for (int i = 0; i < UM_MECHANISM_COUNT; i++) um_core_csv_put_number(file, at[i]);

@@ -15,20 +15,20 @@
 static const enum um_output_dimension t = UM_NC_TIME;
 
 /* The instant nearest mid-exposure stands for the geometry of an observation, as in the CSV. */
-static size_t middle(const struct um_model_precomputed *precomputed, size_t k)
+static size_t middle(const struct um_model_tables *tables, size_t k)
 {
-  return k * precomputed->nsub + precomputed->nsub / 2;
+  return k * tables->nsub + tables->nsub / 2;
 }
 
 static enum um_status put_clock(const struct um_output_netcdf *w, double *v)
 {
-  const struct um_model_precomputed *precomputed = w->run->precomputed;
+  const struct um_model_tables *tables = w->run->tables;
   double day, mjd, seconds;
   char units[64], first[32], leap[160];
-  um_orbit_time_utc_clock(precomputed->t_obs[0], &day, &seconds);
+  um_orbit_time_utc_clock(tables->t_obs[0], &day, &seconds);
   um_orbit_time_format(um_orbit_time_from_utc_jd(2400000.5, day + 0.5), first); /* its noon */
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    um_orbit_time_utc_clock(precomputed->t_obs[k], &mjd, &seconds);
+  for (size_t k = 0; k < tables->nobs; k++) {
+    um_orbit_time_utc_clock(tables->t_obs[k], &mjd, &seconds);
     v[k] = (mjd - day) * 86400.0 + seconds;
   }
   snprintf(units, sizeof units, "seconds since %.10s 00:00:00", first);
@@ -36,8 +36,7 @@ static enum um_status put_clock(const struct um_output_netcdf *w, double *v)
                                  "UTC of mid-exposure at the observer, light received", v));
   UM_TRY(um_output_netcdf_note(w, "time", "standard_name", "time"));
   UM_TRY(um_output_netcdf_note(w, "time", "calendar", "standard"));
-  int leaps =
-      um_orbit_time_leap_seconds(precomputed->t_obs[0], precomputed->t_obs[precomputed->nobs - 1]);
+  int leaps = um_orbit_time_leap_seconds(tables->t_obs[0], tables->t_obs[tables->nobs - 1]);
   if (leaps == 0)
     snprintf(leap, sizeof leap, "none between the first and the last observation");
   else
@@ -46,7 +45,7 @@ static enum um_status put_clock(const struct um_output_netcdf *w, double *v)
              "clock's, elapsed time is time_tai",
              leaps);
   UM_TRY(um_output_netcdf_note(w, "time", "leap_seconds", leap));
-  for (size_t k = 0; k < precomputed->nobs; k++) v[k] = precomputed->t_obs[k];
+  for (size_t k = 0; k < tables->nobs; k++) v[k] = tables->t_obs[k];
   return um_output_netcdf_double(w, "time_tai", &t, 1, "s",
                                  "TAI of mid-exposure, counted from 2000-01-01T12:00:00 TAI", v);
 }
@@ -75,10 +74,10 @@ static enum um_status put_vectors(const struct um_output_netcdf *w, double *v)
       {"sun_direction", "1", "satellite to Sun, GCRS, apparent"},
       {"observer_direction", "1", "satellite to observer, GCRS"}};
   const enum um_output_dimension tx[2] = {UM_NC_TIME, UM_NC_XYZ};
-  const struct um_model_precomputed *precomputed = w->run->precomputed;
+  const struct um_model_tables *tables = w->run->tables;
   for (int which = 0; which < (w->run->model->has_observer ? 3 : 2); which++) {
-    for (size_t k = 0; k < precomputed->nobs; k++) {
-      const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+    for (size_t k = 0; k < tables->nobs; k++) {
+      const struct um_environment_sample *s = &tables->sample[middle(tables, k)];
       struct um_vec3 x = which == 0 ? s->r : which == 1 ? s->sun : s->to_observer;
       v[3 * k] = x.x;
       v[3 * k + 1] = x.y;
@@ -101,11 +100,11 @@ static enum um_status put_look(const struct um_output_netcdf *w, double *v)
        "relative optical airmass of the apparent elevation (Kasten and Young 1989)"},
       {"phase_angle", "degree", "Sun - satellite - observer"},
       {"sun_elevation", "degree", "of the Sun at the station, without refraction"}};
-  const struct um_model_precomputed *precomputed = w->run->precomputed;
+  const struct um_model_tables *tables = w->run->tables;
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-    for (size_t k = 0; k < precomputed->nobs; k++) {
-      const struct um_orbit_look *look = &precomputed->look[middle(precomputed, k)];
-      const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+    for (size_t k = 0; k < tables->nobs; k++) {
+      const struct um_orbit_look *look = &tables->look[middle(tables, k)];
+      const struct um_environment_sample *s = &tables->sample[middle(tables, k)];
       const double all[] = {look->azimuth / UM_DEG,
                             look->elevation / UM_DEG,
                             um_environment_apparent_elevation(look->elevation) / UM_DEG,
@@ -122,10 +121,10 @@ static enum um_status put_look(const struct um_output_netcdf *w, double *v)
 
 static enum um_status put_hidden(const struct um_output_netcdf *w)
 {
-  const struct um_model_precomputed *precomputed = w->run->precomputed;
+  const struct um_model_tables *tables = w->run->tables;
   int *hidden = NULL;
-  UM_TRY(um_core_allocate(w->context, precomputed->nobs, sizeof *hidden, &hidden));
-  for (size_t k = 0; k < precomputed->nobs; k++) hidden[k] = precomputed->hidden[k];
+  UM_TRY(um_core_allocate(w->context, tables->nobs, sizeof *hidden, &hidden));
+  for (size_t k = 0; k < tables->nobs; k++) hidden[k] = tables->hidden[k];
   enum um_status status = um_output_netcdf_int(
       w, "hidden", &t, 1, "1: below the horizon or behind the Earth, nothing arrives", hidden);
   um_core_free(w->context, hidden);
@@ -135,15 +134,15 @@ static enum um_status put_hidden(const struct um_output_netcdf *w)
 enum um_status um_output_netcdf_times(const struct um_output_netcdf *w)
 {
   enum um_status status;
-  const struct um_model_precomputed *precomputed = w->run->precomputed;
+  const struct um_model_tables *tables = w->run->tables;
   const enum um_output_dimension tq[2] = {UM_NC_TIME, UM_NC_QUATERNION};
   double *v = NULL;
-  UM_TRY(um_core_allocate(w->context, 4 * precomputed->nobs, sizeof *v, &v));
+  UM_TRY(um_core_allocate(w->context, 4 * tables->nobs, sizeof *v, &v));
   UM_CHECK(put_clock(w, v));
   UM_CHECK(um_output_netcdf_double(w, "sunlit_fraction", &t, 1, "1",
-                                   "sunlit fraction of the solar disc", precomputed->sunlit));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    struct um_quat q = precomputed->sample[middle(precomputed, k)].q;
+                                   "sunlit fraction of the solar disc", tables->sunlit));
+  for (size_t k = 0; k < tables->nobs; k++) {
+    struct um_quat q = tables->sample[middle(tables, k)].q;
     const double c[4] = {q.w, q.x, q.y, q.z};
     memcpy(v + 4 * k, c, sizeof c);
   }

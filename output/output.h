@@ -4,14 +4,14 @@
 
 #include "base/core/file.h"
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/result.h"
 #include "optics/image/image.h"
 
 /* A finished run and what is said about it; everything borrowed. */
 struct um_output_run {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   const struct um_model_result *result;
   const char *command; /* as typed, for the record */
   const char *version;

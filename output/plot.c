@@ -46,7 +46,7 @@ static struct extent extent_of(const struct um_output_run *run, size_t band)
       e.brightest = fmin(e.brightest, magnitude);
       e.faintest = fmax(e.faintest, magnitude);
     }
-    if (!(run->precomputed->sunlit[k] > UM_UMBRA_MOST)) continue;
+    if (!(run->tables->sunlit[k] > UM_UMBRA_MOST)) continue;
     e.mean_lit += total;
     lit++;
   }
@@ -121,8 +121,7 @@ static void lightcurve(struct um_plot *plot, const struct um_output_run *run)
   um_plot_picture(plot, "lightcurve", UM_PLOT_WIDTH, height);
   um_plot_title(plot, run->model->scenario->name, "");
   um_plot_time_axis(plot, &time);
-  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
-                run->precomputed->sunlit);
+  um_plot_shade(plot, &time, run->tables->nobs, run->tables->t_obs, run->tables->sunlit);
   um_plot_xnumbers(plot, false);
   for (size_t b = 0; b < n; b++) {
     struct extent e = extent_of(run, b);
@@ -158,8 +157,7 @@ static void temperatures(struct um_plot *plot, const struct um_output_run *run)
   um_plot_title(plot, run->model->scenario->name,
                 "mean temperatures; shaded: lowest to highest of each material");
   um_plot_time_axis(plot, &time);
-  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
-                run->precomputed->sunlit);
+  um_plot_shade(plot, &time, run->tables->nobs, run->tables->t_obs, run->tables->sunlit);
   um_plot_time_label(plot, &time);
   um_plot_ylabel(plot, "", "temperature [K]");
   um_plot_panel(plot, UM_PLOT_LEFT, UM_PLOT_TOP - GAP, NAMES, UM_PLOT_TOP - GAP + TEMPERATURES);

@@ -17,7 +17,7 @@
 struct um_plot_time um_output_plot_time(const struct um_output_run *run)
 {
   char start[32];
-  const struct um_model_precomputed *t = run->precomputed;
+  const struct um_model_tables *t = run->tables;
   um_orbit_time_format(t->t_obs[0], start);
   return um_plot_time(t->t_obs[0], t->t_obs[t->nobs - 1], start);
 }
@@ -48,7 +48,7 @@ static void panel(struct um_plot *plot, const struct um_output_run *run, size_t 
   for (size_t k = 0; k < r->nobs; k++) {
     double rate = r->count_rate[k * r->nsensor + s];
     largest = fmax(largest, rate); /* NaN where hidden */
-    if (!(run->precomputed->sunlit[k] > UM_UMBRA_MOST) || isnan(rate)) continue;
+    if (!(run->tables->sunlit[k] > UM_UMBRA_MOST) || isnan(rate)) continue;
     sum += rate;
     lit += 1.0;
   }
@@ -72,8 +72,7 @@ void um_output_plot_counts(struct um_plot *plot, const struct um_output_run *run
                   UM_PLOT_TOP - UM_PLOT_KEY + (int)n * step + UM_PLOT_BELOW);
   um_plot_title(plot, run->model->scenario->name, "");
   um_plot_time_axis(plot, &time);
-  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
-                run->precomputed->sunlit);
+  um_plot_shade(plot, &time, run->tables->nobs, run->tables->t_obs, run->tables->sunlit);
   um_plot_xnumbers(plot, false);
   for (size_t s = 0; s < n; s++) {
     int top = UM_PLOT_TOP + (int)s * step;

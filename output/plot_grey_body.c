@@ -60,8 +60,7 @@ void um_output_plot_grey_body(struct um_plot *plot, const struct um_output_run *
                   UM_PLOT_TOP - UM_PLOT_KEY + 2 * step + UM_PLOT_BELOW);
   um_plot_title(plot, run->model->scenario->name, "");
   um_plot_time_axis(plot, &time);
-  um_plot_shade(plot, &time, run->precomputed->nobs, run->precomputed->t_obs,
-                run->precomputed->sunlit);
+  um_plot_shade(plot, &time, run->tables->nobs, run->tables->t_obs, run->tables->sunlit);
   um_plot_xnumbers(plot, false);
   um_plot_panel(plot, UM_PLOT_LEFT, UM_PLOT_TOP, UM_PLOT_RIGHT, UM_PLOT_TOP + UM_PLOT_PANEL);
   ordinate(plot, run->result, temperature, n, "characteristic temperature [K]");

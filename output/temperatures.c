@@ -17,7 +17,7 @@ enum um_status um_output_write_temperatures(const struct um_output_run *run, FIL
   fputc('\n', file);
   for (size_t k = 0; k < r->nobs; k++) {
     UM_TRY(um_output_stop(run));
-    um_output_csv_time(file, run->precomputed->t_obs[k]);
+    um_output_csv_time(file, run->tables->t_obs[k]);
     for (size_t p = 0; p < r->nplace; p++) {
       um_core_csv_put_number(file, r->place[p].mean[k]);
       um_core_csv_put_number(file, r->place[p].minimum[k]);
@@ -62,7 +62,7 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
       if (!has_row(run, p)) continue;
       UM_TRY(um_output_stop(run));
       const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
-      um_output_csv_time(file, run->precomputed->t_obs[k]);
+      um_output_csv_time(file, run->tables->t_obs[k]);
       um_core_csv_put_text(file, r->place[p].name, "");
       const double value[] = {h->solar,     h->albedo,   h->planet,    h->internal,
                               h->conducted, h->radiated, h->exchanged, h->stored};
@@ -77,8 +77,8 @@ enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file)
 {
   const struct um_model_result *r = run->result;
   char start[32], stop[32];
-  um_orbit_time_format(run->precomputed->t_obs[0], start);
-  um_orbit_time_format(run->precomputed->t_obs[r->nobs - 1], stop);
+  um_orbit_time_format(run->tables->t_obs[0], start);
+  um_orbit_time_format(run->tables->t_obs[r->nobs - 1], stop);
   fprintf(file, "CIC_MEM_VERS = 1.0\nORIGINATOR = UMBRA %s\n\nMETA_START\n\n", run->version);
   fprintf(file, "OBJECT_NAME = %s\nUSER_DEFINED_PROTOCOL = CIC\n", run->model->scenario->name);
   fputs("USER_DEFINED_CONTENT = MATERIAL_TEMPERATURES\n", file);
@@ -93,7 +93,7 @@ enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file)
   for (size_t k = 0; k < r->nobs; k++) {
     UM_TRY(um_output_stop(run));
     double days, seconds;
-    um_orbit_time_utc_clock(run->precomputed->t_obs[k], &days, &seconds);
+    um_orbit_time_utc_clock(run->tables->t_obs[k], &days, &seconds);
     fprintf(file, "%.0f %.3f", days, seconds);
     for (size_t p = 0; p < r->nplace; p++)
       if (strncmp(r->place[p].name, "material:", 9) == 0)

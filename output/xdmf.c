@@ -7,7 +7,7 @@
 static void begin(const struct um_output_run *run, const char *grid, size_t k, FILE *file)
 {
   fprintf(file, "<Grid Name=\"%s%zu\"><Time Value=\"%.3f\"/>\n", grid, k,
-          run->precomputed->t_obs[k] - run->precomputed->t_obs[0]);
+          run->tables->t_obs[k] - run->tables->t_obs[0]);
 }
 
 static void mesh_of(const char *topology, size_t n, int corners, const char *corner, size_t nvertex,

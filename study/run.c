@@ -242,7 +242,7 @@ static enum um_status describe(struct um_context *context, const struct um_study
   }
   UM_TRY(um_model_scenario_times(context, study->model, &r->time, &r->ntime));
   UM_TRY(um_core_allocate(context, r->ntime, sizeof(double), &r->sunlit));
-  memcpy(r->sunlit, study->base.precomputed->sunlit, r->ntime * sizeof(double));
+  memcpy(r->sunlit, study->base.tables->sunlit, r->ntime * sizeof(double));
   UM_TRY(um_core_allocate(context, r->nvalue, sizeof(double), &r->nominal));
   memcpy(r->nominal, study->nominal, r->nvalue * sizeof(double));
   UM_TRY(describe_quantities(context, study, r));

@@ -23,9 +23,9 @@ static enum um_status try_end(struct um_context *context, const struct um_study 
   }
   UM_TRY(status);
   UM_TRY(um_study_ways_check_moved(context, study->model, v->model, study->way, study->nway, i));
-  end->serves = v->precomputed == study->base.precomputed;
+  end->serves = v->tables == study->base.tables;
   if (!end->serves) return UM_OK;
-  return um_model_thermal_solution_matches(context, study->base.heat, v->model, v->precomputed,
+  return um_model_thermal_solution_matches(context, study->base.heat, v->model, v->tables,
                                            &end->matches);
 }
 

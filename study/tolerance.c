@@ -50,7 +50,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
   if (!any_heat(study)) return UM_OK;
   UM_CHECK(corner_open(context, study, &corner));
   /* what two parameters do together may need another geometry though neither does alone */
-  if (corner.precomputed != study->base.precomputed)
+  if (corner.tables != study->base.tables)
     study->accuracy.tolerance = UM_VARIANT_TIGHT;
   else
     UM_CHECK(

@@ -75,7 +75,7 @@ enum um_status um_variant_values(struct um_context *context, const struct um_var
     UM_TRY(um_variant_find_heat(context, curves->evaluator, &how, variant));
   UM_TRY(observe(context, curves, variant, value));
   if (!tight && accuracy->correction != NULL && variant->fresh_heat &&
-      variant->precomputed == curves->base->precomputed)
+      variant->tables == curves->base->tables)
     correct(curves, accuracy->correction, value);
   return UM_OK;
 }

@@ -15,8 +15,7 @@ enum um_status um_variant_cache_find(struct um_context *context, struct um_varia
   *out = NULL;
   for (struct um_variant_kept *k = cache->first; k != NULL; k = k->next) {
     bool serves = false;
-    UM_TRY(
-        um_model_precomputed_serves(context, k->model, k->precomputed, instants, model, &serves));
+    UM_TRY(um_model_tables_serves(context, k->model, k->tables, instants, model, &serves));
     if (!serves) continue;
     k->used = ++cache->clock;
     *out = k;
@@ -55,7 +54,7 @@ static void drop(struct um_context *context, struct um_variant_cache *cache,
   for (size_t i = 0; i < k->nkey; i++) um_core_free(context, (void *)(uintptr_t)k->key[i].target);
   um_core_free(context, k->key);
   um_model_thermal_solution_destroy(context, &k->heat);
-  um_model_precomputed_destroy(context, &k->precomputed);
+  um_model_tables_destroy(context, &k->tables);
   um_model_destroy(context, &k->model);
   um_core_free(context, k);
 }
@@ -85,12 +84,11 @@ static enum um_status keep_key(struct um_context *context, const struct um_model
 
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
                                     const struct um_model_addition *key, size_t nkey,
-                                    struct um_model **model,
-                                    struct um_model_precomputed **precomputed,
+                                    struct um_model **model, struct um_model_tables **tables,
                                     struct um_variant_kept **out)
 {
   struct um_variant_kept *kept = NULL, **link;
-  size_t bytes = um_model_precomputed_bytes(*precomputed);
+  size_t bytes = um_model_tables_bytes(*tables);
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *kept, &kept));
   enum um_status status = key != NULL ? keep_key(context, key, nkey, kept) : UM_OK;
@@ -101,14 +99,14 @@ enum um_status um_variant_cache_add(struct um_context *context, struct um_varian
   while (cache->bytes + bytes > cache->most && (link = oldest(cache)) != NULL)
     drop(context, cache, link);
   kept->model = *model;
-  kept->precomputed = *precomputed;
+  kept->tables = *tables;
   kept->bytes = bytes;
   kept->used = ++cache->clock;
   kept->next = cache->first;
   cache->first = kept;
   cache->bytes += bytes;
   *model = NULL;
-  *precomputed = NULL;
+  *tables = NULL;
   *out = kept;
   return UM_OK;
 }

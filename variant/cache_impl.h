@@ -13,7 +13,7 @@ struct um_variant_kept {
                                     keys, too */
   size_t nkey;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_thermal_solution *heat; /* of `model`; NULL: not asked for, or that of another */
   struct um_variant_tolerance tolerance;  /* of that heat */
   size_t bytes;                           /* of geometry and heat */
@@ -27,7 +27,7 @@ struct um_variant_cache {
   size_t clock;
 };
 
-/* The one whose geometry serves the model, by what it is built of (um_model_precomputed_serves);
+/* The one whose geometry serves the model, by what it is built of (um_model_tables_serves);
  * *out NULL: none does. */
 enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
                                      const struct um_model *model,
@@ -42,8 +42,7 @@ struct um_variant_kept *um_variant_cache_find_key(struct um_variant_cache *cache
  * they stay the caller's. */
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
                                     const struct um_model_addition *key, size_t nkey,
-                                    struct um_model **model,
-                                    struct um_model_precomputed **precomputed,
+                                    struct um_model **model, struct um_model_tables **tables,
                                     struct um_variant_kept **out);
 /* Takes heat of a kept model, which has none yet. */
 void um_variant_cache_keep_heat(struct um_variant_cache *cache, struct um_variant_kept *kept,

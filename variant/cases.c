@@ -97,15 +97,14 @@ static void take_balance(const struct um_model *model, const double *temperature
 }
 
 static enum um_status balance(struct um_context *context, const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
-                              struct um_variant_case *c)
+                              const struct um_model_tables *tables, struct um_variant_case *c)
 {
   double *temperature = NULL;
   UM_TRY(um_core_allocate(context, um_thermal_network_nodes(model->body->network),
                           sizeof *temperature, &temperature));
   enum um_status status = c->analysis == UM_ANALYSIS_STEADY
-                              ? um_model_balance_steady(context, model, precomputed, temperature)
-                              : um_model_balance_orbit(context, model, precomputed, temperature);
+                              ? um_model_balance_steady(context, model, tables, temperature)
+                              : um_model_balance_orbit(context, model, tables, temperature);
   if (status == UM_OK) take_balance(model, temperature, c);
   um_core_free(context, temperature);
   return status;
@@ -115,7 +114,7 @@ static enum um_status follow(struct um_context *context, const struct um_variant
                              struct um_variant_case *c)
 {
   struct um_model_result *result = NULL;
-  UM_TRY(um_model_run_places(context, v->model, v->precomputed, v->heat, &result));
+  UM_TRY(um_model_run_places(context, v->model, v->tables, v->heat, &result));
   for (size_t p = 0; p < c->nplace; p++) {
     const struct um_model_place_history *from = &result->place[p];
     struct um_variant_case_place *to = &c->place[p];
@@ -148,7 +147,7 @@ static enum um_status case_make(struct um_context *context, struct um_variant_ev
   if (transient)
     UM_CHECK(follow(context, &v, out));
   else
-    UM_CHECK(balance(context, v.model, v.precomputed, out));
+    UM_CHECK(balance(context, v.model, v.tables, out));
   for (size_t p = 0; p < out->nplace; p++) limit_place(v.model, &out->place[p]);
 done:
   um_variant_close(context, &v);

@@ -12,11 +12,11 @@
 struct um_variant_evaluator {
   const struct um_model *model; /* the scenario as it stands */
   struct um_variant_settings settings;
-  struct um_model_precomputed *precomputed; /* its geometry; NULL: not yet */
-  struct um_model_thermal_solution *heat;   /* and heat */
-  struct um_optics_lightcurve *light;       /* and light */
-  double seconds_heat;                      /* wall time that it took [s] */
-  struct um_variant_cache cache;            /* of variants */
+  struct um_model_tables *tables;         /* its geometry; NULL: not yet */
+  struct um_model_thermal_solution *heat; /* and heat */
+  struct um_optics_lightcurve *light;     /* and light */
+  double seconds_heat;                    /* wall time that it took [s] */
+  struct um_variant_cache cache;          /* of variants */
 };
 
 enum um_status um_variant_evaluator_create(struct um_context *context, const struct um_model *model,
@@ -38,7 +38,7 @@ void um_variant_evaluator_destroy(struct um_context *context,
   um_variant_cache_clear(context, &e->cache);
   um_optics_lightcurve_destroy(context, &e->light);
   um_model_thermal_solution_destroy(context, &e->heat);
-  um_model_precomputed_destroy(context, &e->precomputed);
+  um_model_tables_destroy(context, &e->tables);
   um_core_free(context, e);
   *evaluator = NULL;
 }
@@ -55,49 +55,49 @@ size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t
   return before;
 }
 
-struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
-                                                         struct um_variant_evaluator *evaluator)
+struct um_model_tables *um_variant_base_tables(struct um_context *context,
+                                               struct um_variant_evaluator *evaluator)
 {
   um_optics_lightcurve_destroy(context, &evaluator->light);
-  return evaluator->precomputed;
+  return evaluator->tables;
 }
 
 /* --- geometry -------------------------------------------------------------------------------- */
 
 static enum um_status base_geometry(struct um_context *context, struct um_variant_evaluator *e)
 {
-  if (e->precomputed != NULL) return UM_OK;
-  UM_TRY(um_model_precompute_over(context, e->model, e->settings.instants, &e->precomputed));
+  if (e->tables != NULL) return UM_OK;
+  UM_TRY(um_model_precompute_over(context, e->model, e->settings.instants, &e->tables));
   if (!e->settings.photons) return UM_OK;
-  return um_model_precompute_photons(context, e->model, e->precomputed);
+  return um_model_precompute_photons(context, e->model, e->tables);
 }
 
 /* Over instants, with what the scenario's own geometry, if it is traced, has of the body alone. */
 static enum um_status trace_over(struct um_context *context, const struct um_variant_evaluator *e,
                                  const struct um_model *model,
                                  const struct um_model_instants *instants,
-                                 struct um_model_precomputed **out)
+                                 struct um_model_tables **out)
 {
-  if (e->precomputed == NULL) return um_model_precompute_over(context, model, instants, out);
-  return um_model_precompute_like(context, e->model, e->precomputed, model, instants, out);
+  if (e->tables == NULL) return um_model_precompute_over(context, model, instants, out);
+  return um_model_precompute_like(context, e->model, e->tables, model, instants, out);
 }
 
 static enum um_status trace(struct um_context *context, struct um_variant_evaluator *e,
                             const struct um_model_addition *key, size_t nkey, struct um_variant *v)
 {
-  struct um_model_precomputed *traced = NULL;
+  struct um_model_tables *traced = NULL;
   v->fresh_geometry = true;
   UM_TRY(trace_over(context, e, v->model, e->settings.instants, &traced));
   enum um_status status =
       um_variant_cache_add(context, &e->cache, key, nkey, &v->own_model, &traced, &v->kept);
-  um_model_precomputed_destroy(context, &traced);
+  um_model_tables_destroy(context, &traced);
   return status;
 }
 
 static void use(struct um_variant *v)
 {
   v->kept->users++;
-  v->precomputed = v->kept->precomputed;
+  v->tables = v->kept->tables;
 }
 
 /* The additions that reach the geometry of the scenario with them, into key [naddition]; NULL: they
@@ -110,7 +110,7 @@ static size_t reaching(const struct um_variant_evaluator *e, const struct um_mod
   bool lit = !um_model_light_serves(e->model, model);
   for (size_t i = 0; i < naddition; i++) {
     uint32_t reach = um_effects_reach(addition[i].effect);
-    if ((reach & UM_REACH_PRECOMPUTED) == 0 && !(lit && (reach & UM_REACH_LIGHT) != 0)) continue;
+    if ((reach & UM_REACH_GEOMETRY) == 0 && !(lit && (reach & UM_REACH_LIGHT) != 0)) continue;
     if (key != NULL) key[nkey] = addition[i];
     nkey++;
   }
@@ -132,7 +132,7 @@ static enum um_status find_by_effects(struct um_context *context, struct um_vari
     if (status == UM_OK) use(v);
   } else {
     status = base_geometry(context, e);
-    v->precomputed = e->precomputed;
+    v->tables = e->tables;
   }
   um_core_free(context, key);
   return status;
@@ -145,10 +145,9 @@ static enum um_status find_by_numbers(struct um_context *context, struct um_vari
 {
   const struct um_model_instants *instants = e->settings.instants;
   bool serves = false;
-  if (e->precomputed != NULL)
-    UM_TRY(um_model_precomputed_serves(context, e->model, e->precomputed, instants, v->model,
-                                       &serves));
-  v->precomputed = e->precomputed;
+  if (e->tables != NULL)
+    UM_TRY(um_model_tables_serves(context, e->model, e->tables, instants, v->model, &serves));
+  v->tables = e->tables;
   if (serves) return UM_OK;
   UM_TRY(um_variant_cache_find(context, &e->cache, v->model, instants, &v->kept));
   if (v->kept == NULL) UM_TRY(trace(context, e, NULL, 0, v));
@@ -171,9 +170,8 @@ static enum um_status base_heat(struct um_context *context, struct um_variant_ev
   if (e->heat != NULL) return UM_OK;
   UM_TRY(base_geometry(context, e));
   double begin = omp_get_wtime();
-  UM_TRY(um_model_thermal_solution_near(context, e->model, e->precomputed, NULL,
-                                        e->settings.base.factor, e->settings.base.periodic,
-                                        &e->heat));
+  UM_TRY(um_model_thermal_solution_near(context, e->model, e->tables, NULL, e->settings.base.factor,
+                                        e->settings.base.periodic, &e->heat));
   /* what each warm start would find anew is found once */
   UM_TRY(um_model_thermal_solution_lead(context, e->heat));
   e->seconds_heat = omp_get_wtime() - begin;
@@ -198,14 +196,14 @@ static enum um_status solve(struct um_context *context, const struct um_variant_
   switch (how->start) {
   case UM_VARIANT_EXTRAPOLATED:
     return um_model_thermal_solution_move(context, e->heat, how->sensitivity, how->which, how->step,
-                                          v->model, v->precomputed, out);
+                                          v->model, v->tables, out);
   case UM_VARIANT_WARM:
-    return um_model_thermal_solution_near(context, v->model, v->precomputed, warm,
-                                          how->tolerance.factor, how->tolerance.periodic, out);
+    return um_model_thermal_solution_near(context, v->model, v->tables, warm, how->tolerance.factor,
+                                          how->tolerance.periodic, out);
   case UM_VARIANT_COLD:
     break;
   }
-  return um_model_thermal_solution_create(context, v->model, v->precomputed, NULL, 1.0, out);
+  return um_model_thermal_solution_create(context, v->model, v->tables, NULL, 1.0, out);
 }
 
 static bool tolerances_equal(const struct um_variant_tolerance *a,
@@ -229,8 +227,7 @@ static enum um_status look_for_heat(struct um_context *context,
   for (size_t i = 0; i < sizeof at_hand / sizeof at_hand[0] && v->heat == NULL; i++) {
     bool matches = false;
     if (at_hand[i] == NULL) continue;
-    UM_TRY(
-        um_model_thermal_solution_matches(context, at_hand[i], v->model, v->precomputed, &matches));
+    UM_TRY(um_model_thermal_solution_matches(context, at_hand[i], v->model, v->tables, &matches));
     if (matches) v->heat = at_hand[i];
   }
   return UM_OK;
@@ -278,7 +275,7 @@ enum um_status um_variant_base(struct um_context *context, struct um_variant_eva
 {
   UM_TRY(base_heat(context, evaluator));
   *out = (struct um_variant){.model = evaluator->model,
-                             .precomputed = evaluator->precomputed,
+                             .tables = evaluator->tables,
                              .heat = evaluator->heat,
                              .behind = true};
   return UM_OK;
@@ -292,7 +289,7 @@ enum um_status um_variant_share(struct um_context *context, struct um_variant_ev
   if (start == UM_VARIANT_COLD) return UM_OK;
   UM_TRY(base_heat(context, e));
   if (!light || e->light != NULL) return UM_OK;
-  return um_model_run_light(context, e->model, e->precomputed, e->heat, &e->light);
+  return um_model_run_light(context, e->model, e->tables, e->heat, &e->light);
 }
 
 static enum um_status make_model(struct um_context *context, const struct um_variant_evaluator *e,
@@ -349,8 +346,8 @@ enum um_status um_variant_open_over(struct um_context *context,
   enum um_status status;
   um_core_quiet_begin(context);
   UM_CHECK(make_model(context, evaluator, changes, out));
-  UM_CHECK(trace_over(context, evaluator, out->model, instants, &out->own_precomputed));
-  out->precomputed = out->own_precomputed;
+  UM_CHECK(trace_over(context, evaluator, out->model, instants, &out->own_tables));
+  out->tables = out->own_tables;
   out->fresh_geometry = true;
   if (heat != NULL) UM_CHECK(um_variant_heat_again(context, evaluator, heat, out));
 done:
@@ -364,17 +361,17 @@ enum um_status um_variant_observe(struct um_context *context,
 {
   struct um_variant_evaluator *e = evaluator;
   *out = NULL;
-  if (!v->behind || v->heat != e->heat || v->precomputed != e->precomputed)
-    return um_model_run_observed(context, v->model, v->precomputed, v->heat, out);
+  if (!v->behind || v->heat != e->heat || v->tables != e->tables)
+    return um_model_run_observed(context, v->model, v->tables, v->heat, out);
   UM_TRY(um_variant_share(context, e, UM_VARIANT_WARM, true));
-  return um_model_run_behind(context, v->model, v->precomputed, v->heat, e->light, out);
+  return um_model_run_behind(context, v->model, v->tables, v->heat, e->light, out);
 }
 
 void um_variant_close(struct um_context *context, struct um_variant *variant)
 {
   if (variant->kept != NULL) variant->kept->users--;
   um_model_thermal_solution_destroy(context, &variant->own_heat);
-  um_model_precomputed_destroy(context, &variant->own_precomputed);
+  um_model_tables_destroy(context, &variant->own_tables);
   um_model_destroy(context, &variant->own_model);
   *variant = (struct um_variant){0};
 }

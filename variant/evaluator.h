@@ -41,7 +41,7 @@ struct um_variant_heat {
  * closed. */
 struct um_variant {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   const struct um_model_thermal_solution *heat;
   bool fresh_geometry, fresh_heat; /* computed for it: nothing at hand served */
   bool behind;         /* all that is changed acts on light that has left the satellite */
@@ -49,7 +49,7 @@ struct um_variant {
   /* private */
   struct um_variant_kept *kept;
   struct um_model *own_model;
-  struct um_model_precomputed *own_precomputed;
+  struct um_model_tables *own_tables;
   struct um_model_thermal_solution *own_heat;
 };
 
@@ -76,10 +76,10 @@ enum um_status um_variant_share(struct um_context *context, struct um_variant_ev
 bool um_variant_acts_behind(const struct um_model_changes *changes);
 /* Wall time of its heat [s]; 0 before it is asked for. */
 double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator);
-/* Its geometry, for who traces lines of sight again (um_model_precomputed_resample): light that is
+/* Its geometry, for who traces lines of sight again (um_model_tables_resample): light that is
  * kept is given up. NULL before um_variant_base. */
-struct um_model_precomputed *um_variant_base_precomputed(struct um_context *context,
-                                                         struct um_variant_evaluator *evaluator);
+struct um_model_tables *um_variant_base_tables(struct um_context *context,
+                                               struct um_variant_evaluator *evaluator);
 
 /* The scenario with changes, its geometry and, with `heat`, its heat; heat NULL: none is asked for.
  * What is refused because of the changes is UM_ERR_REFUSED. Errors of um_model_variant_create,

@@ -17,7 +17,7 @@ static enum um_status find_residuals(struct um_context *context, struct um_compa
   UM_CHECK(um_core_allocate(context, m->count, sizeof *c->residual, &c->residual));
   UM_CHECK(um_core_allocate(context, m->count, sizeof *model_sigma, &model_sigma));
   um_compare_predict_error(c->run.plan, c->run.result, model_sigma);
-  UM_CHECK(um_compare_predict(context, c->run.plan, c->run.precomputed, c->run.result, c->model));
+  UM_CHECK(um_compare_predict(context, c->run.plan, c->run.tables, c->run.result, c->model));
   for (size_t i = 0; i < m->count; i++)
     c->residual[i] = um_compare_residual_make(m, i, c->model[i], model_sigma[i]);
 done:
@@ -181,17 +181,17 @@ enum um_status um_compare_create(struct um_context *context, const struct um_com
 {
   struct um_compare_comparison *c = NULL;
   enum um_status status;
-  size_t nobs = run->precomputed->nobs;
+  size_t nobs = run->tables->nobs;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *c, &c));
   c->run = *run;
-  c->samples = run->precomputed->sampling.samples;
+  c->samples = run->tables->sampling.samples;
   c->samples_before = run->model->scenario->optics->samples;
   UM_CHECK(find_residuals(context, c));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->light, &c->light));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *c->motion, &c->motion));
-  UM_CHECK(um_compare_segments_find(context, run->model, run->precomputed, c->light, c->motion));
-  UM_CHECK(um_compare_coordinates_create(context, run->model, run->precomputed, &c->coordinates));
+  UM_CHECK(um_compare_segments_find(context, run->model, run->tables, c->light, c->motion));
+  UM_CHECK(um_compare_coordinates_create(context, run->model, run->tables, &c->coordinates));
   UM_CHECK(make_channels(context, c, fitted));
   *out = c;
   c = NULL;

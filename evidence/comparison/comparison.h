@@ -7,17 +7,17 @@
 #include "evidence/comparison/predict.h"
 #include "evidence/comparison/residual.h"
 #include "evidence/comparison/segments.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/result.h"
 
 #define UM_COMPARE_WORST 3 /* intervals per channel */
 
-/* A model and a run of it on a geometry precomputation of the plan, with the heat of places
+/* A model and a run of it on geometry tables of the plan, with the heat of places
  * (um_model_run_with); everything borrowed. */
 struct um_compare_run {
   const struct um_model *model;
   const struct um_compare_plan *plan;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   const struct um_model_result *result;
 };
 

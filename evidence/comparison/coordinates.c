@@ -21,9 +21,9 @@ static enum um_status add(struct um_context *context, struct um_compare_coordina
 }
 
 /* The instant nearest mid-exposure. */
-static size_t middle(const struct um_model_precomputed *precomputed, size_t k)
+static size_t middle(const struct um_model_tables *tables, size_t k)
 {
-  return k * precomputed->nsub + precomputed->nsub / 2;
+  return k * tables->nsub + tables->nsub / 2;
 }
 
 /* --- observer -------------------------------------------------------------------------------- */
@@ -36,21 +36,21 @@ static double moon_separation(const struct um_environment_sample *s)
 }
 
 static enum um_status add_sky(struct um_context *context, const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
+                              const struct um_model_tables *tables,
                               struct um_compare_coordinates *c)
 {
   double *phase, *range, *moon, *azimuth, *elevation, *airmass, *sun;
   bool station = model->observer.kind == UM_OBSERVER_STATION;
   UM_TRY(add(context, c, "", "phase_angle_deg", "", &phase));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+  for (size_t k = 0; k < tables->nobs; k++) {
+    const struct um_environment_sample *s = &tables->sample[middle(tables, k)];
     phase[k] = um_vec3_angle(s->sun, s->to_observer) / UM_DEG;
   }
   if (model->observer.kind == UM_OBSERVER_DIRECTION) return UM_OK;
   UM_TRY(add(context, c, "", "range_km", "", &range));
   UM_TRY(add(context, c, "", "moon_separation_deg", "", &moon));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    const struct um_environment_sample *s = &precomputed->sample[middle(precomputed, k)];
+  for (size_t k = 0; k < tables->nobs; k++) {
+    const struct um_environment_sample *s = &tables->sample[middle(tables, k)];
     range[k] = 1e-3 * s->range;
     moon[k] = moon_separation(s) / UM_DEG;
   }
@@ -59,8 +59,8 @@ static enum um_status add_sky(struct um_context *context, const struct um_model 
   UM_TRY(add(context, c, "", "elevation_deg", "", &elevation));
   UM_TRY(add(context, c, "", "airmass", "", &airmass));
   UM_TRY(add(context, c, "", "sun_elevation_deg", "", &sun));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    const struct um_orbit_look *look = &precomputed->look[middle(precomputed, k)];
+  for (size_t k = 0; k < tables->nobs; k++) {
+    const struct um_orbit_look *look = &tables->look[middle(tables, k)];
     azimuth[k] = look->azimuth / UM_DEG;
     elevation[k] = look->elevation / UM_DEG;
     airmass[k] = um_environment_airmass_toward(look->elevation);
@@ -72,28 +72,27 @@ static enum um_status add_sky(struct um_context *context, const struct um_model 
 /* --- light ----------------------------------------------------------------------------------- */
 
 /* Since the last event of a kind. */
-static double since(const struct um_model_precomputed *precomputed, double t,
+static double since(const struct um_model_tables *tables, double t,
                     enum um_environment_event_kind kind)
 {
   double last = NAN;
-  for (size_t i = 0; i < precomputed->nevent && precomputed->event[i].t_tai <= t; i++)
-    if (precomputed->event[i].kind == kind) last = precomputed->event[i].t_tai;
+  for (size_t i = 0; i < tables->nevent && tables->event[i].t_tai <= t; i++)
+    if (tables->event[i].kind == kind) last = tables->event[i].t_tai;
   return t - last;
 }
 
-static enum um_status add_light(struct um_context *context,
-                                const struct um_model_precomputed *precomputed,
+static enum um_status add_light(struct um_context *context, const struct um_model_tables *tables,
                                 struct um_compare_coordinates *c)
 {
   double *sunlit, *entry, *leave;
   UM_TRY(add(context, c, "", "sunlit_fraction", "", &sunlit));
   UM_TRY(add(context, c, "", "since_shadow_entry_s", "", &entry));
   UM_TRY(add(context, c, "", "since_shadow_exit_s", "", &leave));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    double t = precomputed->sample[middle(precomputed, k)].t_tai;
-    sunlit[k] = precomputed->sunlit[k];
-    entry[k] = since(precomputed, t, UM_EVENT_HALF_ENTRY);
-    leave[k] = since(precomputed, t, UM_EVENT_HALF_EXIT);
+  for (size_t k = 0; k < tables->nobs; k++) {
+    double t = tables->sample[middle(tables, k)].t_tai;
+    sunlit[k] = tables->sunlit[k];
+    entry[k] = since(tables, t, UM_EVENT_HALF_ENTRY);
+    leave[k] = since(tables, t, UM_EVENT_HALF_EXIT);
   }
   return UM_OK;
 }
@@ -116,7 +115,7 @@ static double spin_phase(const struct um_scenario *scenario, double t)
 }
 
 static enum um_status add_spin(struct um_context *context, const struct um_model *model,
-                               const struct um_model_precomputed *precomputed,
+                               const struct um_model_tables *tables,
                                struct um_compare_coordinates *c)
 {
   const struct um_scenario_attitude *laws = model->scenario->attitude.items;
@@ -128,8 +127,8 @@ static enum um_status add_spin(struct um_context *context, const struct um_model
   if (!spins) return UM_OK;
   UM_TRY(add(context, c, "", "spin_phase", "", &phase));
   c->coordinate[c->count - 1].circular = true;
-  for (size_t k = 0; k < precomputed->nobs; k++)
-    phase[k] = spin_phase(model->scenario, precomputed->sample[middle(precomputed, k)].t_tai);
+  for (size_t k = 0; k < tables->nobs; k++)
+    phase[k] = spin_phase(model->scenario, tables->sample[middle(tables, k)].t_tai);
   return UM_OK;
 }
 
@@ -149,24 +148,24 @@ static double mean_load(const struct um_geometry_mesh *mesh, uint32_t material, 
 }
 
 static enum um_status add_loads(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
+                                const struct um_model_tables *tables,
                                 struct um_compare_coordinates *c)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  const struct um_irradiation_loads *loads = precomputed->seen;
+  const struct um_irradiation_loads *loads = tables->seen;
   double *albedo, *view, *sun;
   UM_TRY(add(context, c, "", "albedo_W_m2", "", &albedo));
   UM_TRY(add(context, c, "", "earth_view", "", &view));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    size_t at = precomputed->load_row[middle(precomputed, k)] * loads->nsurface;
+  for (size_t k = 0; k < tables->nobs; k++) {
+    size_t at = tables->load_row[middle(tables, k)] * loads->nsurface;
     albedo[k] = mean_load(mesh, UINT32_MAX, loads->albedo + at);
     view[k] = mean_load(mesh, UINT32_MAX, loads->view_factor + at);
   }
   for (uint32_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
     UM_TRY(
         add(context, c, "sun_on.", um_geometry_material_name(model->geometry, m), "_W_m2", &sun));
-    for (size_t k = 0; k < precomputed->nobs; k++) {
-      size_t row = precomputed->load_row[middle(precomputed, k)];
+    for (size_t k = 0; k < tables->nobs; k++) {
+      size_t row = tables->load_row[middle(tables, k)];
       sun[k] = loads->sunlit[row] * loads->irradiance[row] *
                mean_load(mesh, m, loads->sun + row * loads->nsurface);
     }
@@ -176,7 +175,7 @@ static enum um_status add_loads(struct um_context *context, const struct um_mode
 
 enum um_status um_compare_coordinates_create(struct um_context *context,
                                              const struct um_model *model,
-                                             const struct um_model_precomputed *precomputed,
+                                             const struct um_model_tables *tables,
                                              struct um_compare_coordinates **out)
 {
   struct um_compare_coordinates *c = NULL;
@@ -184,16 +183,15 @@ enum um_status um_compare_coordinates_create(struct um_context *context,
   double *time;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *c, &c));
-  c->nobs = precomputed->nobs;
+  c->nobs = tables->nobs;
   UM_CHECK(um_core_allocate(context, CAPACITY + um_geometry_material_count(model->geometry),
                             sizeof *c->coordinate, &c->coordinate));
   UM_CHECK(add(context, c, "", "time_s", "", &time));
-  for (size_t k = 0; k < precomputed->nobs; k++)
-    time[k] = precomputed->t_obs[k] - precomputed->t_obs[0];
-  if (model->has_observer) UM_CHECK(add_sky(context, model, precomputed, c));
-  UM_CHECK(add_light(context, precomputed, c));
-  UM_CHECK(add_spin(context, model, precomputed, c));
-  UM_CHECK(add_loads(context, model, precomputed, c));
+  for (size_t k = 0; k < tables->nobs; k++) time[k] = tables->t_obs[k] - tables->t_obs[0];
+  if (model->has_observer) UM_CHECK(add_sky(context, model, tables, c));
+  UM_CHECK(add_light(context, tables, c));
+  UM_CHECK(add_spin(context, model, tables, c));
+  UM_CHECK(add_loads(context, model, tables, c));
   *out = c;
   c = NULL;
 done:

@@ -3,7 +3,7 @@
 #define UMBRA_COMPARE_COORDINATES_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 struct um_compare_coordinate {
   char *name;    /* with unit, as in the header of residuals.csv: "elevation_deg" */
@@ -32,7 +32,7 @@ struct um_compare_coordinates {
  * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_coordinates_create(struct um_context *context,
                                              const struct um_model *model,
-                                             const struct um_model_precomputed *precomputed,
+                                             const struct um_model_tables *tables,
                                              struct um_compare_coordinates **out);
 void um_compare_coordinates_destroy(struct um_context *context,
                                     struct um_compare_coordinates **coordinates);

@@ -111,7 +111,7 @@ static void describe(const struct um_compare_comparison *c, const size_t *row,
     const struct um_compare_residual *r = &c->residual[row[i]];
     w->bias += (r->measured - r->model) / (double)w->count;
     w->mean_measured += r->measured / (double)w->count;
-    w->sunlit += c->run.precomputed->sunlit[c->run.plan->observation[row[i]]] / (double)w->count;
+    w->sunlit += c->run.tables->sunlit[c->run.plan->observation[row[i]]] / (double)w->count;
   }
 }
 

@@ -59,7 +59,7 @@ static enum um_status ranges(struct um_context *context, struct shown *s)
   UM_CHECK(um_core_allocate(context, 3 * n, sizeof *all, &all));
   const struct um_plot_values of[] = {{all, n, UM_PLOT_MOST},
                                       {all + n, n, UM_PLOT_MIDDLE},
-                                      {s->curve, c->run.precomputed->nobs, UM_PLOT_NEAR}};
+                                      {s->curve, c->run.tables->nobs, UM_PLOT_NEAR}};
   const struct um_plot_values residual = {all + 2 * n, n, UM_PLOT_MOST};
   for (size_t k = 0; k < n; k++) {
     size_t row = s->channel->row[k];
@@ -87,10 +87,9 @@ static enum um_status shown_of(struct um_context *context, const struct um_compa
   s.of = &run->plan->measurements->channel[s.channel->channel];
   s.few = s.channel->count <= FEW;
   s.weighted = !isnan(s.channel->all.chi2);
-  UM_TRY(um_core_allocate(context, run->precomputed->nobs, sizeof *s.curve, &s.curve));
-  for (size_t k = 0; k < run->precomputed->nobs; k++)
-    s.curve[k] =
-        um_compare_predict_at(run->plan, run->precomputed, run->result, s.channel->channel, k);
+  UM_TRY(um_core_allocate(context, run->tables->nobs, sizeof *s.curve, &s.curve));
+  for (size_t k = 0; k < run->tables->nobs; k++)
+    s.curve[k] = um_compare_predict_at(run->plan, run->tables, run->result, s.channel->channel, k);
   enum um_status status = ranges(context, &s);
   double largest = fmax(fabs(s.values.low), fabs(s.values.high));
   s.unit = um_plot_power(um_compare_is_magnitude(s.of->quantity) ? 1.0 : largest,
@@ -104,7 +103,7 @@ static enum um_status shown_of(struct um_context *context, const struct um_compa
 static enum um_status values(struct um_context *context, struct um_plot *plot,
                              const struct um_plot_time *time, const struct shown *s)
 {
-  const struct um_model_precomputed *t = s->c->run.precomputed;
+  const struct um_model_tables *t = s->c->run.tables;
   bool points = s->c->run.model->points;
   size_t first = s->rows.first, last = s->rows.last;
   char name[200];
@@ -182,7 +181,7 @@ static void title(struct um_plot *plot, const struct shown *s)
 static enum um_status picture(struct um_context *context, struct um_plot *plot,
                               const struct um_compare_comparison *c, size_t i, struct rows rows)
 {
-  const struct um_model_precomputed *t = c->run.precomputed;
+  const struct um_model_tables *t = c->run.tables;
   struct shown s;
   enum um_status status;
   char start[32], *name = NULL;

@@ -225,7 +225,7 @@ struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *
 
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
-                                     struct um_model_precomputed **out)
+                                     struct um_model_tables **out)
 {
   const struct um_model_instants instants = um_compare_plan_instants(plan);
   return um_model_precompute_over(context, model, &instants, out);
@@ -235,11 +235,11 @@ enum um_status um_compare_plan_trace(struct um_context *context, const struct um
 
 static enum um_status refuse_hidden(struct um_context *context,
                                     const struct um_compare_measurements *m, size_t row,
-                                    const struct um_model_precomputed *precomputed, size_t k)
+                                    const struct um_model_tables *tables, size_t k)
 {
   double lowest = INFINITY; /* [rad] */
-  for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++)
-    lowest = fmin(lowest, precomputed->look[i].elevation); /* NaN without a station */
+  for (size_t i = k * tables->nsub; i < (k + 1) * tables->nsub; i++)
+    lowest = fmin(lowest, tables->look[i].elevation); /* NaN without a station */
   if (isinf(lowest))
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s:%d: column 'time_utc': the Earth stands between satellite and "
@@ -262,7 +262,7 @@ static double grey_body_of(enum um_compare_quantity quantity, const struct um_mo
 }
 
 double um_compare_predict_at(const struct um_compare_plan *plan,
-                             const struct um_model_precomputed *precomputed,
+                             const struct um_model_tables *tables,
                              const struct um_model_result *result, size_t channel, size_t k)
 {
   enum um_compare_quantity quantity = plan->measurements->channel[channel].quantity;
@@ -271,7 +271,7 @@ double um_compare_predict_at(const struct um_compare_plan *plan,
   if (um_compare_is_grey_body(quantity)) return grey_body_of(quantity, result, k);
   if (quantity == UM_QUANTITY_RADIANT_INTENSITY) /* the satellite's own */
     return result->measured_intensity[k * result->nband + s];
-  if (precomputed->hidden[k]) return NAN;
+  if (tables->hidden[k]) return NAN;
   if (quantity == UM_QUANTITY_BAND_IRRADIANCE) return result->irradiance[k * result->nband + s];
   if (quantity == UM_QUANTITY_COUNT_RATE) return result->count_rate[k * result->nsensor + s];
   double vega = quantity == UM_QUANTITY_MAGNITUDE_VEGA ? result->vega_ab[s] : 0.0;
@@ -280,10 +280,10 @@ double um_compare_predict_at(const struct um_compare_plan *plan,
 
 /* A row for which the model has no value. */
 static enum um_status refuse(struct um_context *context, const struct um_compare_measurements *m,
-                             size_t row, const struct um_model_precomputed *precomputed, size_t k)
+                             size_t row, const struct um_model_tables *tables, size_t k)
 {
   enum um_compare_quantity quantity = m->channel[m->row[row].channel].quantity;
-  if (!um_compare_is_grey_body(quantity)) return refuse_hidden(context, m, row, precomputed, k);
+  if (!um_compare_is_grey_body(quantity)) return refuse_hidden(context, m, row, tables, k);
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: column 'quantity': %s: no grey body fits the model's light of this "
                       "time; accepted: light above 0 in the thermal bands, or a flag that leaves "
@@ -292,7 +292,7 @@ static enum um_status refuse(struct um_context *context, const struct um_compare
 }
 
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
-                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_tables *tables,
                                   const struct um_model_result *result, double *value)
 {
   const struct um_compare_measurements *m = plan->measurements;
@@ -301,10 +301,10 @@ enum um_status um_compare_predict(struct um_context *context, const struct um_co
     enum um_compare_quantity quantity = m->channel[m->row[i].channel].quantity;
     value[i] = NAN;
     if (k == UM_COMPARE_NOWHERE) continue;
-    value[i] = um_compare_predict_at(plan, precomputed, result, m->row[i].channel, k);
+    value[i] = um_compare_predict_at(plan, tables, result, m->row[i].channel, k);
     bool sky = quantity != UM_QUANTITY_TEMPERATURE && quantity != UM_QUANTITY_RADIANT_INTENSITY;
-    if (sky && (um_compare_is_grey_body(quantity) ? isnan(value[i]) : precomputed->hidden[k]))
-      return refuse(context, m, i, precomputed, k);
+    if (sky && (um_compare_is_grey_body(quantity) ? isnan(value[i]) : tables->hidden[k]))
+      return refuse(context, m, i, tables, k);
   }
   return UM_OK;
 }

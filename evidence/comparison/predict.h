@@ -1,4 +1,4 @@
-/* What a model says of every row of a measurement set: one geometry precomputation and one run for
+/* What a model says of every row of a measurement set: one set of geometry tables and one run for
  * all of them. */
 #ifndef UMBRA_COMPARE_PREDICT_H
 #define UMBRA_COMPARE_PREDICT_H
@@ -9,7 +9,7 @@
 #include "model/geometry/precompute.h"
 #include "model/run/result.h"
 
-/* Which observation of a geometry precomputation, and which number of it, answers each row. It
+/* Which observation of geometry tables, and which number of it, answers each row. It
  * depends on the times, names and exposures of the rows and on the names of bands and places, so it
  * serves every variant of a scenario with the same parts and bands. */
 struct um_compare_plan {
@@ -46,23 +46,23 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
 
 /* When a plan looks at a model; borrowed from it. */
 struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *plan);
-/* The geometry precomputation of a plan: um_model_precompute_over at its instants. */
+/* The geometry tables of a plan: um_model_precompute_over at its instants. */
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_plan *plan,
-                                     struct um_model_precomputed **out);
+                                     struct um_model_tables **out);
 
-/* Model value of every row in the unit of its quantity, from a run on a geometry precomputation of
+/* Model value of every row in the unit of its quantity, from a run on geometry tables of
  * the plan; value: shape [count of the set]; NaN for rows that are left out, +infinity for a
  * magnitude of no light. UM_ERR_INPUT with file and line: a row of irradiance or magnitude while
  * the satellite is below the horizon; a row of a grey body where none fits the light. */
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,
-                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_tables *tables,
                                   const struct um_model_result *result, double *value);
 
 /* The same of a channel with a source at observation k, whether or not a row is measured then; NaN
  * where um_compare_predict refuses a row. */
 double um_compare_predict_at(const struct um_compare_plan *plan,
-                             const struct um_model_precomputed *precomputed,
+                             const struct um_model_tables *tables,
                              const struct um_model_result *result, size_t channel, size_t k);
 
 /* Standard error of those values by the sampling of the model: sigma of each observation in linear

@@ -18,15 +18,15 @@ const char *um_compare_segment_name(enum um_compare_segment segment)
   return (unsigned)segment < UM_SEGMENT_COUNT ? names[segment] : "";
 }
 
-static enum um_compare_segment light_of(const struct um_model_precomputed *precomputed, size_t k)
+static enum um_compare_segment light_of(const struct um_model_tables *tables, size_t k)
 {
   size_t full = 0, none = 0;
-  for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
-    if (precomputed->sample[i].sunlit_fraction >= UM_SUNLIGHT_LEAST) full++;
-    if (precomputed->sample[i].sunlit_fraction <= UM_UMBRA_MOST) none++;
+  for (size_t i = k * tables->nsub; i < (k + 1) * tables->nsub; i++) {
+    if (tables->sample[i].sunlit_fraction >= UM_SUNLIGHT_LEAST) full++;
+    if (tables->sample[i].sunlit_fraction <= UM_UMBRA_MOST) none++;
   }
-  if (full == precomputed->nsub) return UM_SEGMENT_SUNLIT;
-  return none == precomputed->nsub ? UM_SEGMENT_UMBRA : UM_SEGMENT_PENUMBRA;
+  if (full == tables->nsub) return UM_SEGMENT_SUNLIT;
+  return none == tables->nsub ? UM_SEGMENT_UMBRA : UM_SEGMENT_PENUMBRA;
 }
 
 /* The difference is one-sided where the orbit ends. */
@@ -45,16 +45,16 @@ static enum um_status motion_of(struct um_context *context, const struct um_mode
 }
 
 enum um_status um_compare_segments_find(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         enum um_compare_segment *light,
                                         enum um_compare_segment *motion)
 {
   bool station =
       !model->points && model->has_observer && model->observer.kind == UM_OBSERVER_STATION;
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    light[k] = light_of(precomputed, k);
+  for (size_t k = 0; k < tables->nobs; k++) {
+    light[k] = light_of(tables, k);
     motion[k] = UM_SEGMENT_COUNT;
-    if (station) UM_TRY(motion_of(context, model, precomputed->t_obs[k], &motion[k]));
+    if (station) UM_TRY(motion_of(context, model, tables->t_obs[k], &motion[k]));
   }
   return UM_OK;
 }

@@ -3,7 +3,7 @@
 #define UMBRA_COMPARE_SEGMENTS_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* The first three exclude each other, so do the last two. */
 enum um_compare_segment {
@@ -21,7 +21,7 @@ const char *um_compare_segment_name(enum um_compare_segment segment);
  * UM_SEGMENT_RISING or UM_SEGMENT_SETTING; UM_SEGMENT_COUNT where there is no station or no
  * track (orbit.points). Errors of the orbit. */
 enum um_status um_compare_segments_find(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         enum um_compare_segment *light,
                                         enum um_compare_segment *motion);
 

@@ -82,7 +82,7 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
 
 static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
-  const struct um_model_precomputed *p = run->variant.precomputed;
+  const struct um_model_tables *p = run->variant.tables;
   return um_environment_airmass_toward(p->look[k * p->nsub + p->nsub / 2].elevation);
 }
 
@@ -94,7 +94,7 @@ static enum um_status high_airmass(struct um_context *context,
                                    enum um_compare_segment which, double *out)
 {
   double *airmass = NULL;
-  size_t n = 0, nobs = run->variant.precomputed->nobs;
+  size_t n = 0, nobs = run->variant.tables->nobs;
   *out = NAN;
   if (!run->variant.model->has_observer) return UM_OK;
   UM_TRY(um_core_allocate(context, nobs, sizeof *airmass, &airmass));
@@ -205,13 +205,13 @@ static enum um_status look(struct um_context *context, const struct um_diagnosis
 {
   enum um_status status;
   enum um_compare_segment *segment = NULL, *motion = NULL;
-  size_t nobs = run[0].variant.precomputed->nobs;
-  next->from = run[0].variant.precomputed->t_obs[0];
-  next->to = run[0].variant.precomputed->t_obs[nobs - 1];
+  size_t nobs = run[0].variant.tables->nobs;
+  next->from = run[0].variant.tables->t_obs[0];
+  next->to = run[0].variant.tables->t_obs[nobs - 1];
   UM_CHECK(um_core_allocate(context, nobs, sizeof *segment, &segment));
   UM_CHECK(um_core_allocate(context, nobs, sizeof *motion, &motion));
-  UM_CHECK(um_compare_segments_find(context, run[0].variant.model, run[0].variant.precomputed,
-                                    segment, motion));
+  UM_CHECK(um_compare_segments_find(context, run[0].variant.model, run[0].variant.tables, segment,
+                                    motion));
   UM_CHECK(offer_bands(context, work->forward, run, segment, next));
   UM_CHECK(offer_places(context, work->forward, run, segment, next));
   UM_CHECK(say(context, next));

@@ -45,12 +45,12 @@ done:
  * wanted. */
 static enum um_status linear_values(struct um_context *context,
                                     const struct um_compare_share_user *u,
-                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_tables *tables,
                                     const struct um_model_result *result, double *value,
                                     double *sigma)
 {
   const struct um_compare_measurements *m = u->plan->measurements;
-  UM_TRY(um_compare_predict(context, u->plan, precomputed, result, value));
+  UM_TRY(um_compare_predict(context, u->plan, tables, result, value));
   if (sigma != NULL) UM_TRY(um_compare_noise_sigmas(context, u->model->scenario, m, value, sigma));
   for (size_t i = 0; sigma != NULL && i < m->count; i++)
     sigma[i] = um_compare_measured(m, i, sigma[i]).sigma;
@@ -59,7 +59,7 @@ static enum um_status linear_values(struct um_context *context,
 }
 
 enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         const struct um_model_result *result,
                                         const struct um_model_result *finer, double *share)
 {
@@ -69,11 +69,11 @@ enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
   enum um_status status;
   UM_TRY(um_core_allocate(context, 3 * m->count, sizeof *value, &value));
   double *sigma = value + m->count, *model_sigma = sigma + m->count;
-  UM_CHECK(linear_values(context, u, precomputed, result, value, sigma));
+  UM_CHECK(linear_values(context, u, tables, result, value, sigma));
   if (finer == NULL) {
     um_compare_predict_error(u->plan, result, model_sigma);
   } else {
-    UM_CHECK(linear_values(context, u, precomputed, finer, model_sigma, NULL));
+    UM_CHECK(linear_values(context, u, tables, finer, model_sigma, NULL));
     for (size_t i = 0; i < m->count; i++) model_sigma[i] = fabs(model_sigma[i] - value[i]);
   }
   UM_CHECK(um_compare_share(context, m, sigma, model_sigma, share));
@@ -111,7 +111,7 @@ static void report(struct um_context *context, const struct um_compare_refinemen
 /* A refinement in progress. */
 struct job {
   const struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   const struct um_model_thermal_solution *heat;
   um_compare_share_of *share_of;
   void *user;
@@ -124,9 +124,9 @@ static enum um_status look_again(struct um_context *context, const struct job *j
                                  int rays, struct um_model_result **result)
 {
   struct um_model_result *finer = NULL;
-  UM_TRY(um_model_precomputed_resample(context, job->model, job->precomputed,
-                                       (struct um_model_sampling){samples, rays}));
-  UM_TRY(um_model_run_with(context, job->model, job->precomputed, job->heat, &finer));
+  UM_TRY(um_model_tables_resample(context, job->model, job->tables,
+                                  (struct um_model_sampling){samples, rays}));
+  UM_TRY(um_model_run_with(context, job->model, job->tables, job->heat, &finer));
   um_model_result_destroy(context, result);
   *result = finer;
   return UM_OK;
@@ -142,8 +142,8 @@ static enum um_status direct_share(struct um_context *context, const struct job 
   *share = r->share;
   if (!job->model->environment.inter_reflection_on || r->interreflection == 0) return UM_OK;
   without.environment.inter_reflection_on = false;
-  UM_CHECK(um_model_run_with(context, &without, job->precomputed, job->heat, &bare));
-  UM_CHECK(job->share_of(context, job->user, job->precomputed, bare, NULL, share));
+  UM_CHECK(um_model_run_with(context, &without, job->tables, job->heat, &bare));
+  UM_CHECK(job->share_of(context, job->user, job->tables, bare, NULL, share));
   *share = fmin(*share, r->share);
 done:
   um_model_result_destroy(context, &bare);
@@ -164,7 +164,7 @@ static enum um_status raise(struct um_context *context, const struct job *job,
       rays = next_number(rays, fmax(r->share - direct, job->limit), job->limit, job->most_paths);
     if (samples == r->samples && rays == r->interreflection) return UM_OK;
     UM_TRY(look_again(context, job, samples, rays, result));
-    UM_TRY(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
+    UM_TRY(job->share_of(context, job->user, job->tables, *result, NULL, &r->share));
     r->samples = samples;
     r->interreflection = rays;
   }
@@ -188,14 +188,13 @@ static enum um_status check(struct um_context *context, const struct job *job,
   if (samples <= r->samples) return UM_OK;
   *result = NULL;
   UM_CHECK(look_again(context, job, samples, rays, result));
-  UM_CHECK(job->share_of(context, job->user, job->precomputed, coarse, *result, &moved));
+  UM_CHECK(job->share_of(context, job->user, job->tables, coarse, *result, &moved));
   *holds = !(moved > job->limit);
   if (*holds) {
     um_model_result_destroy(context, result);
     *result = coarse;
     coarse = NULL;
-    UM_CHECK(
-        um_model_precomputed_resample(context, job->model, job->precomputed,
+    UM_CHECK(um_model_tables_resample(context, job->model, job->tables,
                                       (struct um_model_sampling){r->samples, r->interreflection}));
     status = UM_OK;
     goto done;
@@ -203,14 +202,14 @@ static enum um_status check(struct um_context *context, const struct job *job,
   r->share_before = fmax(r->share_before, moved);
   r->samples = samples;
   r->interreflection = rays;
-  UM_CHECK(job->share_of(context, job->user, job->precomputed, *result, NULL, &r->share));
+  UM_CHECK(job->share_of(context, job->user, job->tables, *result, NULL, &r->share));
 done:
   um_model_result_destroy(context, &coarse);
   return status;
 }
 
 enum um_status um_compare_refine_with(struct um_context *context, const struct um_model *model,
-                                      struct um_model_precomputed *precomputed,
+                                      struct um_model_tables *tables,
                                       const struct um_model_thermal_solution *heat, double limit,
                                       um_compare_share_of *share_of, void *user,
                                       struct um_model_result **out,
@@ -220,7 +219,7 @@ enum um_status um_compare_refine_with(struct um_context *context, const struct u
   struct um_compare_refinement r = {.share = NAN};
   struct um_model_result *result = NULL;
   struct job job = {model,
-                    precomputed,
+                    tables,
                     heat,
                     share_of,
                     user,
@@ -232,12 +231,11 @@ enum um_status um_compare_refine_with(struct um_context *context, const struct u
   *out = NULL;
   r.samples = r.samples_before = optics->samples;
   r.interreflection = r.interreflection_before = optics->interreflection_samples;
-  UM_CHECK(um_model_run_with(context, model, precomputed, heat, &result));
-  UM_CHECK(share_of(context, user, precomputed, result, NULL, &r.share));
+  UM_CHECK(um_model_run_with(context, model, tables, heat, &result));
+  UM_CHECK(share_of(context, user, tables, result, NULL, &r.share));
   r.share_before = r.share;
-  if (precomputed->view != NULL) {
-    double points =
-        (double)(precomputed->nobs * precomputed->nsub) * (double)precomputed->view->nsurface;
+  if (tables->view != NULL) {
+    double points = (double)(tables->nobs * tables->nsub) * (double)tables->view->nsurface;
     job.most = fmin(job.most, UM_COMPARE_POINTS_MAX / points);
     job.most_paths = fmin(fmax(UM_COMPARE_PATHS_MAX / points, UM_COMPARE_INTERREFLECTION_SOME),
                           UM_COMPARE_INTERREFLECTION_MAX);
@@ -257,16 +255,16 @@ done:
 }
 
 enum um_status um_compare_refine(struct um_context *context, const struct um_model *model,
-                                 struct um_model_precomputed *precomputed, double limit,
+                                 struct um_model_tables *tables, double limit,
                                  um_compare_share_of *share_of, void *user,
                                  struct um_model_result **out,
                                  struct um_compare_refinement *refinement)
 {
   struct um_model_thermal_solution *heat = NULL;
   *out = NULL;
-  UM_TRY(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
-  enum um_status status = um_compare_refine_with(context, model, precomputed, heat, limit, share_of,
-                                                 user, out, refinement);
+  UM_TRY(um_model_thermal_solution_create(context, model, tables, NULL, 1.0, &heat));
+  enum um_status status =
+      um_compare_refine_with(context, model, tables, heat, limit, share_of, user, out, refinement);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }

@@ -32,27 +32,27 @@ struct um_compare_refinement {
  * or, with `finer` (NULL: not asked), by how far the values are from those of a run with more
  * samples. */
 typedef enum um_status um_compare_share_of(struct um_context *context, void *user,
-                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_tables *tables,
                                            const struct um_model_result *result,
                                            const struct um_model_result *finer, double *share);
 
-/* Run the model on a geometry precomputation; while the share that `share_of` finds is above
+/* Run the model on geometry tables; while the share that `share_of` finds is above
  * `limit`, look again with more samples and run again with the same heat, up to the bounds above. A
  * share below the limit is checked by a run with four times the samples, which is taken in its
  * place where the values moved by more than the limit; otherwise the result is that of
  * um_model_run. What was done is said in the log; a share that stays above the limit is a warning.
- * limit: in (0, 1), UM_COMPARE_MODEL_SHARE. precomputed: its sampling is what was used.
- * Errors of the run, the geometry precomputation and share_of. The caller destroys *out. Tested by
+ * limit: in (0, 1), UM_COMPARE_MODEL_SHARE. tables: its sampling is what was used.
+ * Errors of the run, the geometry tables and share_of. The caller destroys *out. Tested by
  * law_compare_sampling. */
 enum um_status um_compare_refine(struct um_context *context, const struct um_model *model,
-                                 struct um_model_precomputed *precomputed, double limit,
+                                 struct um_model_tables *tables, double limit,
                                  um_compare_share_of *share_of, void *user,
                                  struct um_model_result **out,
                                  struct um_compare_refinement *refinement);
 
 /* The same with heat of the model that is at hand and stays the caller's. */
 enum um_status um_compare_refine_with(struct um_context *context, const struct um_model *model,
-                                      struct um_model_precomputed *precomputed,
+                                      struct um_model_tables *tables,
                                       const struct um_model_thermal_solution *heat, double limit,
                                       um_compare_share_of *share_of, void *user,
                                       struct um_model_result **out,

@@ -19,7 +19,7 @@ struct spectrum {
 struct work {
   const struct um_model *model;
   struct um_compare_plan *plan;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_instrument_bins *bins; /* [nband of the model] */
   size_t *first;                   /* [ntime + 1] of the rows of each time in `row` */
   size_t *row;                     /* rows of light in thermal bands, by time */
@@ -59,8 +59,8 @@ static enum um_status sort_rows(struct um_context *context, struct work *w)
 static enum um_status take(struct um_context *context, struct work *w, size_t k)
 {
   const struct um_compare_measurements *m = w->plan->measurements;
-  size_t nsub = w->precomputed->nsub;
-  double range = w->precomputed->sample[k * nsub + nsub / 2].range;
+  size_t nsub = w->tables->nsub;
+  double range = w->tables->sample[k * nsub + nsub / 2].range;
   struct spectrum *s = &w->spectrum;
   s->nband = 0;
   for (size_t i = w->first[k]; i < w->first[k + 1]; i++) {
@@ -94,7 +94,7 @@ static enum um_status fill(struct um_context *context, struct work *w,
     UM_TRY(um_core_stop_check(context, "temperatures were retrieved"));
     UM_TRY(take(context, w, k));
     struct um_compare_retrieved_row *row = &out->row[out->count++];
-    row->t_tai = w->precomputed->t_obs[k];
+    row->t_tai = w->tables->t_obs[k];
     row->nband = w->spectrum.nband;
     UM_TRY(fit(context, &w->spectrum, 1, &row->one));
     UM_TRY(fit(context, &w->spectrum, 2, &row->two));
@@ -114,7 +114,7 @@ static void work_release(struct um_context *context, struct work *w)
     um_model_band_bins_clear(context, &w->bins[b]);
   UM_FREE(context, w->bins, w->first, w->row, w->spectrum.bins, w->spectrum.intensity,
           w->spectrum.sigma);
-  um_model_precomputed_destroy(context, &w->precomputed);
+  um_model_tables_destroy(context, &w->tables);
   um_compare_plan_destroy(context, &w->plan);
 }
 
@@ -127,7 +127,7 @@ enum um_status um_compare_retrieve(struct um_context *context, const struct um_m
   struct um_compare_retrieved *made = NULL;
   *out = NULL;
   UM_CHECK(um_compare_plan_create(context, model, measurements, &w.plan));
-  UM_CHECK(um_compare_plan_trace(context, model, w.plan, &w.precomputed));
+  UM_CHECK(um_compare_plan_trace(context, model, w.plan, &w.tables));
   UM_CHECK(um_core_allocate(context, model->nband, sizeof *w.bins, &w.bins));
   for (size_t b = 0; b < model->nband; b++)
     UM_CHECK(um_model_band_bins(context, &model->band[b], &w.bins[b]));

@@ -85,7 +85,7 @@ static enum um_status make_sources(struct um_context *context, const struct um_m
 
 /* Temperature or area of all thermal bands together, and what the bands' noise makes of it. */
 static enum um_status grey_body(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
+                                const struct um_model_tables *tables,
                                 const struct um_model_result *r, const struct um_compare_synth *o,
                                 const struct source *s, size_t k, double *truth, double *sigma)
 {
@@ -93,14 +93,14 @@ static enum um_status grey_body(struct um_context *context, const struct um_mode
   bool first = s->quantity == UM_QUANTITY_CHARACTERISTIC_TEMPERATURE;
   const struct um_instrument_grey_body *one = &r->grey_body[k].one;
   *truth = *sigma = NAN;
-  if (precomputed->hidden[k] || one->n == 0) return UM_OK;
-  double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
+  if (tables->hidden[k] || one->n == 0) return UM_OK;
+  double range = tables->sample[k * tables->nsub + tables->nsub / 2].range;
   UM_TRY(um_core_allocate(context, r->nband, sizeof *noise, &noise));
   for (size_t b = 0; b < r->nband; b++)
     noise[b] = hypot(o->relative * r->measured_intensity[k * r->nband + b],
                      o->floor * peak(r->irradiance, r->nobs, r->nband, b) * range * range);
   enum um_status status =
-      um_model_grey_body_error(context, model, precomputed, r, k, noise, &temperature, &area);
+      um_model_grey_body_error(context, model, tables, r, k, noise, &temperature, &area);
   um_core_free(context, noise);
   *truth = first ? one->temperature[0] : one->area[0];
   *sigma = first ? temperature : area;
@@ -109,9 +109,9 @@ static enum um_status grey_body(struct um_context *context, const struct um_mode
 
 /* What a source says at observation k, NaN: nothing, and its noise. */
 static enum um_status look(struct um_context *context, const struct um_model *model,
-                           const struct um_model_precomputed *precomputed,
-                           const struct um_model_result *r, const struct um_compare_synth *o,
-                           const struct source *s, size_t k, double *truth, double *sigma)
+                           const struct um_model_tables *tables, const struct um_model_result *r,
+                           const struct um_compare_synth *o, const struct source *s, size_t k,
+                           double *truth, double *sigma)
 {
   switch (s->quantity) {
   case UM_QUANTITY_TEMPERATURE:
@@ -120,7 +120,7 @@ static enum um_status look(struct um_context *context, const struct um_model *mo
     return UM_OK;
   case UM_QUANTITY_CHARACTERISTIC_TEMPERATURE:
   case UM_QUANTITY_INFRARED_CROSS_SECTION:
-    return grey_body(context, model, precomputed, r, o, s, k, truth, sigma);
+    return grey_body(context, model, tables, r, o, s, k, truth, sigma);
   case UM_QUANTITY_COUNT_RATE:
     *truth = r->count_rate[k * r->nsensor + s->index];
     break;
@@ -133,19 +133,19 @@ static enum um_status look(struct um_context *context, const struct um_model *mo
 
 /* The row of a source at observation k, unless the observer cannot see the satellite there. */
 static enum um_status add_row(struct um_context *context, const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
-                              const struct um_model_result *r, const struct um_compare_synth *o,
-                              const struct source *s, size_t k, struct um_compare_set *set)
+                              const struct um_model_tables *tables, const struct um_model_result *r,
+                              const struct um_compare_synth *o, const struct source *s, size_t k,
+                              struct um_compare_set *set)
 {
   double truth, sigma, exposure = model->scenario->time->exposure_s;
-  UM_TRY(look(context, model, precomputed, r, o, s, k, &truth, &sigma));
+  UM_TRY(look(context, model, tables, r, o, s, k, &truth, &sigma));
   if (isnan(truth)) return UM_OK;
   if (!(sigma > 0.0))
     return um_core_fail(context, UM_ERR_INPUT,
                         "noise of %s '%s' of %g %s is %g; accepted: a floor above 0",
                         um_compare_quantity_name(s->quantity), set->channels.text[s->channel],
                         truth, um_compare_quantity_unit(s->quantity), sigma);
-  struct um_compare_measurement row = {.t_tai = precomputed->t_obs[k],
+  struct um_compare_measurement row = {.t_tai = tables->t_obs[k],
                                        .channel = s->channel,
                                        .value = truth + gsl_ran_gaussian_ziggurat(s->random, sigma),
                                        .sigma = sigma,
@@ -188,14 +188,14 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
 }
 
 enum um_status um_compare_synth_share(struct um_context *context, void *user,
-                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_tables *tables,
                                       const struct um_model_result *result,
                                       const struct um_model_result *finer, double *share)
 {
   const struct um_compare_synth *o = user;
   (void)context;
   *share = NAN;
-  for (size_t b = 0; precomputed->view != NULL && b < result->nband; b++) {
+  for (size_t b = 0; tables->view != NULL && b < result->nband; b++) {
     double floor = o->floor * peak(result->irradiance, result->nobs, result->nband, b), sum = 0.0;
     size_t count = 0;
     for (size_t k = 0; k < result->nobs; k++) {
@@ -213,7 +213,7 @@ enum um_status um_compare_synth_share(struct um_context *context, void *user,
 }
 
 enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed,
+                                       const struct um_model_tables *tables,
                                        const struct um_model_result *result,
                                        const struct um_compare_synth *options, const char *path,
                                        struct um_compare_measurements **out)
@@ -228,9 +228,9 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
                           sizeof *source, &source));
   UM_CHECK(um_compare_set_begin(context, path, "time_utc", &set));
   UM_CHECK(make_sources(context, model, result, options, &set, source, &count));
-  for (size_t k = 0; k < precomputed->nobs; k++)
+  for (size_t k = 0; k < tables->nobs; k++)
     for (size_t i = 0; i < count; i++)
-      UM_CHECK(add_row(context, model, precomputed, result, options, &source[i], k, &set));
+      UM_CHECK(add_row(context, model, tables, result, options, &source[i], k, &set));
   if (set.made->count == 0) {
     status = um_core_fail(
         context, UM_ERR_INPUT,

@@ -22,7 +22,7 @@ struct um_compare_synth {
 enum um_status um_compare_synth_check(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_synth *options);
 
-/* At every observation of the geometry precomputation, for every band above the horizon,
+/* At every observation of the geometry tables, for every band above the horizon,
  *   value = E + sigma g,  sigma^2 = (relative E)^2 + (floor max E)^2,  g unit normal,
  * the count rate of every sensor likewise, and the temperature of every place with
  * temperature_sigma; with grey_body characteristic temperature and infrared cross-section, with the
@@ -36,7 +36,7 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
  * unknown place, grey_body with fewer than three thermal bands, or nothing to measure (no observer
  * or never above the horizon, and no places). UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_synth_create(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed,
+                                       const struct um_model_tables *tables,
                                        const struct um_model_result *result,
                                        const struct um_compare_synth *options, const char *path,
                                        struct um_compare_measurements **out);

@@ -31,7 +31,7 @@ static enum um_status fill_sigma(struct um_context *context, struct um_compare_w
   double *value = NULL, *sigma = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *value, &value));
   UM_CHECK(um_core_allocate(context, m->count, sizeof *sigma, &sigma));
-  UM_CHECK(um_compare_predict(context, whole->plan, whole->precomputed, whole->result, value));
+  UM_CHECK(um_compare_predict(context, whole->plan, whole->tables, whole->result, value));
   UM_CHECK(um_compare_noise_sigmas(context, whole->model->scenario, m, value, sigma));
   for (size_t i = 0; i < m->count; i++) m->row[i].sigma = sigma[i];
 done:
@@ -42,11 +42,11 @@ done:
 enum um_status um_compare_whole_run(struct um_context *context, struct um_compare_whole *whole)
 {
   struct um_compare_share_user shared = {whole->model, whole->plan};
-  UM_TRY(um_compare_plan_trace(context, whole->model, whole->plan, &whole->precomputed));
-  UM_TRY(um_compare_refine(context, whole->model, whole->precomputed, UM_COMPARE_MODEL_SHARE,
+  UM_TRY(um_compare_plan_trace(context, whole->model, whole->plan, &whole->tables));
+  UM_TRY(um_compare_refine(context, whole->model, whole->tables, UM_COMPARE_MODEL_SHARE,
                            um_compare_share_of_plan, &shared, &whole->result, NULL));
   UM_TRY(fill_sigma(context, whole));
-  const struct um_compare_run run = {whole->model, whole->plan, whole->precomputed, whole->result};
+  const struct um_compare_run run = {whole->model, whole->plan, whole->tables, whole->result};
   return um_compare_create(context, &run, 0.0, &whole->comparison);
 }
 
@@ -54,7 +54,7 @@ void um_compare_whole_release(struct um_context *context, struct um_compare_whol
 {
   um_compare_destroy(context, &whole->comparison);
   um_model_result_destroy(context, &whole->result);
-  um_model_precomputed_destroy(context, &whole->precomputed);
+  um_model_tables_destroy(context, &whole->tables);
   um_compare_plan_destroy(context, &whole->plan);
   um_model_destroy(context, &whole->model);
   um_core_free(context, whole->measurements.row);

@@ -12,7 +12,7 @@ struct um_compare_whole {
                                                   of the scenario's noise model where they state
                                                   none */
   struct um_compare_plan *plan;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_compare_comparison *comparison;
 };

@@ -32,7 +32,7 @@ enum um_status um_missing_heat_predict(struct um_context *context,
   const struct um_compare_measurements *m = f->measurements;
   double *whole = NULL;
   UM_CHECK(um_core_allocate(context, m->count, sizeof *whole, &whole));
-  UM_CHECK(um_compare_predict(context, f->plan, base->variant.precomputed, result, whole));
+  UM_CHECK(um_compare_predict(context, f->plan, base->variant.tables, result, whole));
   um_compare_modelled(m, f->observations.count, f->observations.row, whole, out);
   for (size_t j = 0; j < f->observations.count; j++) out[j] /= f->observations.sigma[j];
 done:
@@ -72,8 +72,8 @@ static enum um_status find_slope(struct um_context *context, struct um_missing_h
     if (base->region[s] == region) n++;
   }
   if (n == 0) return UM_OK;
-  UM_TRY(um_model_run_warmer(context, base->variant.model, base->variant.precomputed,
-                             base->variant.heat, offset, &result));
+  UM_TRY(um_model_run_warmer(context, base->variant.model, base->variant.tables, base->variant.heat,
+                             offset, &result));
   base->forward->evaluations++;
   enum um_status status = um_missing_heat_predict(context, base, result, slope);
   um_model_result_destroy(context, &result);
@@ -91,7 +91,7 @@ static enum um_status find_slopes(struct um_context *context, struct um_missing_
   for (size_t j = 0; j < f->observations.count; j++) light |= is_light(f, j);
   UM_CHECK(um_core_allocate(context, base->nregion * f->observations.count, sizeof *base->slope,
                             &base->slope));
-  if (!light || base->variant.precomputed->view == NULL) goto done;
+  if (!light || base->variant.tables->view == NULL) goto done;
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cold, &cold));
   UM_CHECK(um_core_allocate(context, um_geometry_mesh(base->variant.model->geometry)->nsurface,
                             sizeof *offset, &offset));
@@ -106,7 +106,7 @@ done:
 static enum um_status sort_rows(struct um_context *context, struct um_missing_heat_base *base)
 {
   const struct um_sensitivity_forward *f = base->forward;
-  size_t nobs = base->variant.precomputed->nobs, *first;
+  size_t nobs = base->variant.tables->nobs, *first;
   UM_TRY(um_core_allocate(context, nobs + 2, sizeof *base->first, &base->first));
   UM_TRY(um_core_allocate(context, f->observations.count, sizeof *base->row, &base->row));
   first = base->first; /* counts two places on, starts one place on, then ends there */
@@ -130,9 +130,9 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
       .forward = forward, .addition = addition, .naddition = naddition, .variant = forward->base};
   if (naddition > 0)
     UM_TRY(um_variant_open(context, forward->evaluator, &changes, &heat, &out->variant));
-  UM_TRY(um_model_run_with(context, v->model, v->precomputed, v->heat, &out->result));
+  UM_TRY(um_model_run_with(context, v->model, v->tables, v->heat, &out->result));
   forward->evaluations++;
-  if (v->precomputed->points) return UM_OK; /* heat is not followed */
+  if (v->tables->points) return UM_OK; /* heat is not followed */
   UM_TRY(sort_rows(context, out));
   UM_TRY(find_regions(context, out));
   return find_slopes(context, out);
@@ -164,7 +164,7 @@ static void weigh(struct taker *t, size_t instant)
 {
   const struct um_missing_heat_base *base = t->base;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(base->variant.model->geometry);
-  const struct um_optics_view *view = base->variant.precomputed->view;
+  const struct um_optics_view *view = base->variant.tables->view;
   bool means = base->variant.model->scenario->thermal->temperature_in_optics == 1;
   memset(t->sum, 0, base->nregion * sizeof *t->sum);
   for (size_t s = 0; s < mesh->nsurface && !means; s++) {
@@ -244,7 +244,7 @@ static void take_bin(struct taker *t, size_t observation, bool light, const doub
 {
   const struct um_missing_heat_base *base = t->base;
   const struct um_sensitivity_forward *f = base->forward;
-  double share = 1.0 / (double)base->variant.precomputed->nsub, *mean = t->sum;
+  double share = 1.0 / (double)base->variant.tables->nsub, *mean = t->sum;
   for (size_t g = 0; g < base->nregion && light; g++) {
     mean[g] = 0.0;
     for (size_t i = 0; i < t->nnode; i++) mean[g] += t->gradient[g * t->nnode + i] * s[i];
@@ -262,7 +262,7 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
   struct taker *t = user;
   const struct um_missing_heat_base *base = t->base;
   const struct um_sensitivity_forward *f = base->forward;
-  size_t observation = k / base->variant.precomputed->nsub;
+  size_t observation = k / base->variant.tables->nsub;
   bool light = false;
   for (size_t i = base->first[observation]; i < base->first[observation + 1]; i++)
     light |= is_light(f, base->row[i]);
@@ -271,7 +271,7 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
     differentiate(t, temperature);
   }
   for (size_t p = 0; p < t->nplace; p++)
-    for (size_t b = 0; b < t->nbin && t->edge[b] < base->variant.precomputed->sample[k].t_tai; b++)
+    for (size_t b = 0; b < t->nbin && t->edge[b] < base->variant.tables->sample[k].t_tai; b++)
       take_bin(t, observation, light, response + (p * t->nbin + b) * t->nnode,
                t->column + (p * t->nbin + b) * base->forward->observations.count);
   return UM_OK;

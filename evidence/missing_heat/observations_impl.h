@@ -28,7 +28,7 @@ enum um_status um_missing_heat_base_create(struct um_context *context,
                                            size_t naddition, struct um_missing_heat_base *out);
 void um_missing_heat_base_release(struct um_context *context, struct um_missing_heat_base *base);
 
-/* Values over sigma of the observations in use of a run on the base's geometry precomputation. */
+/* Values over sigma of the observations in use of a run on the base's geometry tables. */
 enum um_status um_missing_heat_predict(struct um_context *context,
                                        const struct um_missing_heat_base *base,
                                        const struct um_model_result *result, double *out);

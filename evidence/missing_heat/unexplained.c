@@ -23,8 +23,8 @@ static enum um_status find_coordinate(struct um_context *context,
                                       const struct um_missing_heat_base *base, double fitted,
                                       struct um_missing_heat_unexplained *out)
 {
-  const struct um_compare_run run = {base->variant.model, base->forward->plan,
-                                     base->variant.precomputed, base->result};
+  const struct um_compare_run run = {base->variant.model, base->forward->plan, base->variant.tables,
+                                     base->result};
   struct um_missing_heat_residual residual;
   UM_TRY(um_missing_heat_residual_describe(context, base->forward, &run, fitted, &residual));
   out->channel = residual.channel;
@@ -85,8 +85,8 @@ done:
 /* Times of the observations at the satellite, and the edges of the first search. */
 static enum um_status find_edges(struct um_context *context, struct search *s)
 {
-  const struct um_model_precomputed *precomputed = s->base.variant.precomputed;
-  size_t n = s->nobs = precomputed->nobs;
+  const struct um_model_tables *tables = s->base.variant.tables;
+  size_t n = s->nobs = tables->nobs;
   s->nbin = n - 1 < UM_MISSING_HEAT_BINS_MAX ? n - 1 : UM_MISSING_HEAT_BINS_MAX;
   UM_TRY(um_core_allocate(context, n, sizeof *s->t, &s->t));
   UM_TRY(um_core_allocate(context, n, sizeof *s->time, &s->time));
@@ -95,7 +95,7 @@ static enum um_status find_edges(struct um_context *context, struct search *s)
   UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->origin, &s->origin));
   UM_TRY(um_core_allocate(context, s->nplace, sizeof *s->pulse, &s->pulse));
   for (size_t k = 0; k < n; k++)
-    s->t[k] = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].t_tai;
+    s->t[k] = tables->sample[k * tables->nsub + tables->nsub / 2].t_tai;
   for (size_t b = 0; b <= s->nbin; b++) s->edge[b] = (b * (n - 1) + s->nbin / 2) / s->nbin;
   return UM_OK;
 }
@@ -301,7 +301,7 @@ enum um_status um_missing_heat_unexplained_create(struct um_context *context,
   if (status != UM_OK) goto done;
   UM_CHECK(find_coordinate(context, &s.base, (double)nnuisance, u));
   UM_CHECK(project(context, &s, value, nuisance, nnuisance, &u->chi2_before));
-  if (!s.base.variant.precomputed->points && s.base.variant.precomputed->nobs > 1)
+  if (!s.base.variant.tables->points && s.base.variant.tables->nobs > 1)
     UM_CHECK(find_heat(context, &s, u));
   u->chi2_after = u->chi2_before - (u->nheat > 0 ? u->heat[0].chi2_explained : 0.0);
   u->found = is_found(u, s.nbin, (double)forward->observations.count - (double)nnuisance);

@@ -33,7 +33,7 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
   struct um_model_result *result = NULL;
   UM_TRY(um_variant_observe(context, forward->evaluator, v, &result));
   enum um_status status =
-      um_compare_predict(context, forward->plan, v->precomputed, result, forward->cache->predicted);
+      um_compare_predict(context, forward->plan, v->tables, result, forward->cache->predicted);
   um_model_result_destroy(context, &result);
   return status;
 }
@@ -225,15 +225,14 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   struct um_compare_refinement refinement;
   f->samples = f->samples_before = f->model->scenario->optics->samples;
   f->paths = f->model->scenario->optics->interreflection_samples;
-  if (!has_light(f))
-    return um_model_run_with(context, base->model, base->precomputed, base->heat, out);
-  UM_TRY(um_compare_refine_with(
-      context, f->model, um_variant_base_precomputed(context, f->evaluator), base->heat,
-      UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user, out, &refinement));
+  if (!has_light(f)) return um_model_run_with(context, base->model, base->tables, base->heat, out);
+  UM_TRY(um_compare_refine_with(context, f->model, um_variant_base_tables(context, f->evaluator),
+                                base->heat, UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user,
+                                out, &refinement));
   f->samples = refinement.samples;
   f->paths = refinement.interreflection;
   /* all look at the body with the same points */
-  f->instants.sampling = base->precomputed->sampling;
+  f->instants.sampling = base->tables->sampling;
   return UM_OK;
 }
 
@@ -248,7 +247,7 @@ static enum um_status first_evaluation(struct um_context *context, struct um_sen
   UM_CHECK(um_variant_evaluator_create(context, f->model, &settings, &f->evaluator));
   UM_CHECK(um_variant_base(context, f->evaluator, &f->base));
   UM_CHECK(first_run(context, f, &result));
-  UM_CHECK(um_compare_predict(context, f->plan, f->base.precomputed, result, cache->predicted));
+  UM_CHECK(um_compare_predict(context, f->plan, f->base.tables, result, cache->predicted));
   UM_CHECK(um_sensitivity_observations_create(context, f->plan, f->model->scenario, result,
                                               cache->predicted, &f->observations));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cache->base, &cache->base));
@@ -329,7 +328,7 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
     UM_CHECK(um_variant_open_over(context, forward->evaluator, &window, &changes, &heat, v));
   else
     UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
-  UM_CHECK(um_model_run_with(context, v->model, v->precomputed, v->heat, &out->result));
+  UM_CHECK(um_model_run_with(context, v->model, v->tables, v->heat, &out->result));
 done:
   um_core_quiet_end(context);
   if (status != UM_OK) um_sensitivity_forward_run_release(context, out);

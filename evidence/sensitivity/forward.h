@@ -21,10 +21,10 @@ struct um_sensitivity_forward {
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
   int paths;                   /* optics.interreflection_samples of every evaluation */
   size_t evaluations;          /* how often a model was computed */
-  double seconds_first; /* wall time of the first evaluation, geometry precomputation and run, and
-                           of the search for samples [s] */
-  double seconds;       /* of all [s]; of those that went on at once, their sum */
-  size_t heat_runs;     /* how often heat was integrated for a variant */
+  double seconds_first;        /* wall time of the first evaluation, geometry tables and run, and
+                                  of the search for samples [s] */
+  double seconds;              /* of all [s]; of those that went on at once, their sum */
+  size_t heat_runs;            /* how often heat was integrated for a variant */
   size_t heat_sensitivities, heat_batches;    /* parameters whose heat came by forward sensitivities
                                                  in place of that, and runs that gave them */
   double heat_seconds;                        /* wall time of both [s] */
@@ -70,7 +70,7 @@ void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
 
 /* Heat of a variant, from that of the scenario as it stands. */
 struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward);
-/* The same with everything kept: model, geometry precomputation and result of the variant, for a
+/* The same with everything kept: model, geometry tables and result of the variant, for a
  * comparison or for bands and places that were not measured. grid: false: times of the
  * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
  * measurements). Owned by the caller, released by _release. Tolerances are the scenario's times

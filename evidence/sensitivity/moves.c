@@ -42,11 +42,10 @@ static enum um_status is_wanted(struct um_context *context,
 {
   const struct um_model_thermal_solution *heat = forward->base.heat;
   bool matches;
-  UM_TRY(um_model_thermal_solution_matches(context, heat, v->model, v->precomputed, &matches));
+  UM_TRY(um_model_thermal_solution_matches(context, heat, v->model, v->tables, &matches));
   *out = false;
-  return matches
-             ? UM_OK
-             : um_model_thermal_sensitivity_serves(context, heat, v->model, v->precomputed, out);
+  return matches ? UM_OK
+                 : um_model_thermal_sensitivity_serves(context, heat, v->model, v->tables, out);
 }
 
 /* Moves of one run. */
@@ -102,7 +101,7 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
   double share = NAN;
   bool wanted = false;
   uint32_t reach = um_effects_reach(move->effect);
-  if ((reach & UM_REACH_THERMAL) == 0 || (reach & UM_REACH_PRECOMPUTED) != 0) return UM_OK;
+  if ((reach & UM_REACH_THERMAL) == 0 || (reach & UM_REACH_GEOMETRY) != 0) return UM_OK;
   *v = (struct um_variant){0};
   enum um_status status = move_open(context, forward, move, v, &share);
   if (status == UM_OK) status = is_wanted(context, forward, v, &wanted);
@@ -110,7 +109,7 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
     moves->moved[moves->count] = (struct um_sensitivity_moved){.move = *move};
     batch->of[batch->count] = moves->count++;
     batch->move[batch->count++] =
-        (struct um_model_thermal_move){v->model, v->precomputed, share * move->step};
+        (struct um_model_thermal_move){v->model, v->tables, share * move->step};
     return UM_OK;
   }
   um_variant_close(context, v);
@@ -127,12 +126,12 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
   struct batch *batch = NULL;
   bool serves;
   size_t numbers = um_thermal_network_nodes(forward->model->body->network) *
-                   (1 + forward->base.precomputed->nobs * forward->base.precomputed->nsub);
+                   (1 + forward->base.tables->nobs * forward->base.tables->nsub);
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
   um_sensitivity_moves_clear(context, forward);
   UM_CHECK(um_model_thermal_sensitivity_serves(context, forward->base.heat, forward->model,
-                                               forward->base.precomputed, &serves));
+                                               forward->base.tables, &serves));
   if (!serves) n = 0; /* what the scenario as it stands forbids: no model need be built to see it */
   UM_CHECK(um_core_allocate(context, 1, sizeof *batch, &batch));
   UM_CHECK(um_core_allocate(context, 1, sizeof *forward->cache->moves, &forward->cache->moves));

@@ -1,5 +1,5 @@
 /* What is built from a scenario: orbit, attitude, environment, geometry, materials, heat network,
- * bands and sensors. What is traced of it is in model/geometry/precomputed.h, a run of it in
+ * bands and sensors. What is traced of it is in model/geometry/tables.h, a run of it in
  * model/run/run.h. */
 #ifndef UMBRA_MODEL_MODEL_H
 #define UMBRA_MODEL_MODEL_H

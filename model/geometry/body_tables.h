@@ -1,4 +1,4 @@
-/* What of a geometry precomputation hangs on the body alone, whatever the times, the orbit, the
+/* What of geometry tables hangs on the body alone, whatever the times, the orbit, the
  * attitude and the spin. */
 #ifndef UMBRA_MODEL_BODY_TABLES_H
 #define UMBRA_MODEL_BODY_TABLES_H
@@ -10,7 +10,7 @@
 
 struct um_model;
 
-/* Shared by geometry precomputations of models for which um_model_body_serves; the last one frees
+/* Shared by geometry tables of models for which um_model_body_serves; the last one frees
  * them. */
 struct um_model_body_tables {
   atomic_size_t users;

@@ -31,7 +31,7 @@ static const struct um_mark *fastest_spin(const struct um_scenario *scenario)
 }
 
 enum um_status um_model_check_load_rows(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed, double span,
+                                        const struct um_model_tables *tables, double span,
                                         double step)
 {
   const struct um_scenario *scenario = model->scenario;
@@ -49,8 +49,8 @@ enum um_status um_model_check_load_rows(struct um_context *context, const struct
     return um_model_fail(context, &thermal->at, "step_s", "%s, by a longer step", cost);
   if (spin != NULL && step < 1.0)
     return um_model_fail(context, spin, "period_s", "%s, by a slower spin or thermal.step_s", cost);
-  double before = precomputed->t_first - precomputed->t_start;
-  if (!isnan(precomputed->period) && before > 0.5 * span && thermal->orbits_before > 1.0)
+  double before = tables->t_first - tables->t_start;
+  if (!isnan(tables->period) && before > 0.5 * span && thermal->orbits_before > 1.0)
     return um_model_fail(context, &thermal->at, "orbits_before", "%s, by fewer orbits", cost);
   return um_model_fail(context, &scenario->time->at, "stop_utc",
                        "%s, by a shorter span, thermal.step_s, or coarser facets", cost);

@@ -3,7 +3,7 @@
 #define UMBRA_MODEL_BOUNDS_IMPL_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* UM_ERR_INPUT for a scenario of points, naming what it wants. */
 enum um_status um_model_check_track(struct um_context *context, const struct um_model *model);
@@ -12,7 +12,7 @@ enum um_status um_model_check_instants(struct um_context *context, const struct 
                                        size_t nobs, size_t nsub);
 /* The same of the heat loads over `span` [s], one instant every `step` [s]. */
 enum um_status um_model_check_load_rows(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed, double span,
+                                        const struct um_model_tables *tables, double span,
                                         double step);
 
 #endif

@@ -1,4 +1,4 @@
-/* What of a geometry precomputation the observer can see at all.
+/* What of geometry tables the observer can see at all.
  *
  * A station sees above its horizon, as refraction lifts what it sees (airless elevation -0.55 deg:
  * there airmass ends). Who moves, or looks
@@ -35,15 +35,15 @@ done:
 
 /* Light is followed to an observer far away; one between the parts has no far away. */
 static enum um_status check_range(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed)
+                                  const struct um_model_tables *tables)
 {
   const struct um_scenario_observer *observer = model->scenario->observer;
-  size_t nearest = 0, n = precomputed->nobs * precomputed->nsub;
+  size_t nearest = 0, n = tables->nobs * tables->nsub;
   double reach;
   for (size_t i = 1; i < n; i++)
-    if (precomputed->sample[i].range < precomputed->sample[nearest].range) nearest = i;
-  double range = precomputed->sample[nearest].range;
-  UM_TRY(body_reach(context, model, &precomputed->sample[nearest], &reach));
+    if (tables->sample[i].range < tables->sample[nearest].range) nearest = i;
+  double range = tables->sample[nearest].range;
+  UM_TRY(body_reach(context, model, &tables->sample[nearest], &reach));
   if (range > reach) return UM_OK;
   if (observer->direction != NULL)
     return um_model_fail(
@@ -52,54 +52,53 @@ static enum um_status check_range(struct um_context *context, const struct um_mo
         "its origin; accepted: more than that",
         observer->direction->range_km, range, reach);
   char time[32];
-  um_orbit_time_format(precomputed->t_obs[nearest / precomputed->nsub], time);
+  um_orbit_time_format(tables->t_obs[nearest / tables->nsub], time);
   return um_model_fail(context, &observer->at, NULL,
                        "at %s it stands %g m from the satellite, which reaches %g m from its "
                        "origin; accepted: an observer outside it",
                        time, range, reach);
 }
 
-static bool instant_is_hidden(const struct um_model *model,
-                              const struct um_model_precomputed *precomputed, size_t i)
+static bool instant_is_hidden(const struct um_model *model, const struct um_model_tables *tables,
+                              size_t i)
 {
-  const struct um_environment_sample *s = &precomputed->sample[i];
+  const struct um_environment_sample *s = &tables->sample[i];
   if (model->observer.kind == UM_OBSERVER_STATION)
-    return isnan(um_environment_airmass_toward(precomputed->look[i].elevation));
+    return isnan(um_environment_airmass_toward(tables->look[i].elevation));
   return um_environment_earth_between(s->r, s->to_observer, s->range, s->pole);
 }
 
 static void log_hidden(struct um_context *context, const struct um_model *model,
-                       const struct um_model_precomputed *precomputed, size_t count)
+                       const struct um_model_tables *tables, size_t count)
 {
   bool station = model->observer.kind == UM_OBSERVER_STATION;
   char first[32], last[32];
-  size_t a = 0, b = precomputed->nobs - 1;
+  size_t a = 0, b = tables->nobs - 1;
   if (count == 0) return;
-  while (!precomputed->hidden[a]) a++;
-  while (!precomputed->hidden[b]) b--;
-  um_orbit_time_format(precomputed->t_obs[a], first);
-  um_orbit_time_format(precomputed->t_obs[b], last);
+  while (!tables->hidden[a]) a++;
+  while (!tables->hidden[b]) b--;
+  um_orbit_time_format(tables->t_obs[a], first);
+  um_orbit_time_format(tables->t_obs[b], last);
   um_core_log(context, UM_LOG_INFO,
               "%s in %zu of %zu observations (first %s, last %s): irradiance, counts and "
               "magnitudes of these are left empty, radiant intensity is given",
               station ? "the satellite is below the horizon"
                       : "the Earth stands between satellite and observer",
-              count, precomputed->nobs, first, last);
+              count, tables->nobs, first, last);
 }
 
-enum um_status um_model_precomputed_hide(struct um_context *context, const struct um_model *model,
-                                         struct um_model_precomputed *precomputed)
+enum um_status um_model_tables_hide(struct um_context *context, const struct um_model *model,
+                                    struct um_model_tables *tables)
 {
   size_t count = 0;
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof *precomputed->hidden,
-                          &precomputed->hidden));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof *tables->hidden, &tables->hidden));
   if (!model->has_observer) return UM_OK;
-  UM_TRY(check_range(context, model, precomputed));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++)
-      precomputed->hidden[k] = precomputed->hidden[k] || instant_is_hidden(model, precomputed, i);
-    count += precomputed->hidden[k];
+  UM_TRY(check_range(context, model, tables));
+  for (size_t k = 0; k < tables->nobs; k++) {
+    for (size_t i = k * tables->nsub; i < (k + 1) * tables->nsub; i++)
+      tables->hidden[k] = tables->hidden[k] || instant_is_hidden(model, tables, i);
+    count += tables->hidden[k];
   }
-  log_hidden(context, model, precomputed, count);
+  log_hidden(context, model, tables, count);
   return UM_OK;
 }

@@ -36,13 +36,12 @@ static int compare_times(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-double um_model_load_step(const struct um_model *model,
-                          const struct um_model_precomputed *precomputed)
+double um_model_load_step(const struct um_model *model, const struct um_model_tables *tables)
 {
   double step = model->scenario->thermal->step_s;
   if (!isnan(step)) return step;
-  if (precomputed->turn_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
-  double orbital = isnan(precomputed->period) ? 0.0 : 2.0 * UM_PI / precomputed->period;
+  if (tables->turn_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
+  double orbital = isnan(tables->period) ? 0.0 : 2.0 * UM_PI / tables->period;
   double rate = um_orbit_attitude_rate(model->attitude, orbital);
   return rate > 0.0 ? fmin(UM_MODEL_LOADS_LONGEST_STEP, TURN_PER_STEP / rate)
                     : UM_MODEL_LOADS_LONGEST_STEP;
@@ -121,41 +120,40 @@ static size_t lay(double from, double to, double end, double step, struct grid_t
 }
 
 enum um_status um_model_load_grid(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed, double step,
-                                  double **out, size_t *count)
+                                  const struct um_model_tables *tables, double step, double **out,
+                                  size_t *count)
 {
-  size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
-  double last = precomputed->sample[ninstant - 1].t_tai;
-  double end = fmax(last, precomputed->t_periodic_end);
+  size_t ninstant = tables->nobs * tables->nsub, n = 0;
+  double last = tables->sample[ninstant - 1].t_tai;
+  double end = fmax(last, tables->t_periodic_end);
   /* laid out over an orbit at least, so that what moves the last observation by a little does not
    * move the rows before it; rows behind the end are left out */
-  double laid =
-      isnan(precomputed->period) ? end : fmax(end, precomputed->t_start + precomputed->period);
-  size_t room = (size_t)ceil((laid - precomputed->t_start) / step) + 5 + ninstant +
-                precomputed->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
+  double laid = isnan(tables->period) ? end : fmax(end, tables->t_start + tables->period);
+  size_t room = (size_t)ceil((laid - tables->t_start) / step) + 5 + ninstant +
+                tables->nevent * (PENUMBRA_POINTS + 1 + AIR_DARK);
   struct grid_time *grid = NULL;
   UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
-  double recent = precomputed->t_start;
-  if (precomputed->sparse && precomputed->t_first - RECENT > recent) {
-    recent = precomputed->t_first - RECENT;
-    n = lay(precomputed->t_start, recent, end, fmin(SPARSE * step, UM_MODEL_LOADS_LONGEST_STEP),
-            grid, n);
+  double recent = tables->t_start;
+  if (tables->sparse && tables->t_first - RECENT > recent) {
+    recent = tables->t_first - RECENT;
+    n = lay(tables->t_start, recent, end, fmin(SPARSE * step, UM_MODEL_LOADS_LONGEST_STEP), grid,
+            n);
   }
   n = lay(recent, laid, end, step, grid, n);
   /* observed instants then have a table of theirs */
-  bool apart = precomputed->turn_period > 0.0 || precomputed->sparse;
+  bool apart = tables->turn_period > 0.0 || tables->sparse;
   if (apart) grid[n++] = (struct grid_time){end, true};
   for (size_t i = 0; i < ninstant && !apart; i++)
-    grid[n++] = (struct grid_time){precomputed->sample[i].t_tai, true};
-  for (size_t i = 0; i < precomputed->nevent; i++) {
-    grid[n++] = event_time(model, &precomputed->event[i]);
-    if (i + 1 == precomputed->nevent) break;
-    double gap = precomputed->event[i + 1].t_tai - precomputed->event[i].t_tai;
+    grid[n++] = (struct grid_time){tables->sample[i].t_tai, true};
+  for (size_t i = 0; i < tables->nevent; i++) {
+    grid[n++] = event_time(model, &tables->event[i]);
+    if (i + 1 == tables->nevent) break;
+    double gap = tables->event[i + 1].t_tai - tables->event[i].t_tai;
     if (!(gap > SAME_TIME && gap < PENUMBRA_LONGEST)) continue;
     for (int k = 1; k < PENUMBRA_POINTS; k++)
-      grid[n++].t = precomputed->event[i].t_tai + gap * k / PENUMBRA_POINTS;
-    n = air_rows(&precomputed->event[i], gap, end, grid, n);
-    n = air_rows(&precomputed->event[i + 1], gap, end, grid, n);
+      grid[n++].t = tables->event[i].t_tai + gap * k / PENUMBRA_POINTS;
+    n = air_rows(&tables->event[i], gap, end, grid, n);
+    n = air_rows(&tables->event[i + 1], gap, end, grid, n);
   }
   enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
   n = merge_times(grid, n);
@@ -167,10 +165,9 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
 }
 
 enum um_status um_model_load_edges(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed, double **out)
+                                   const struct um_model_tables *tables, double **out)
 {
-  UM_TRY(um_core_allocate(context, precomputed->nevent, sizeof **out, out));
-  for (size_t i = 0; i < precomputed->nevent; i++)
-    (*out)[i] = event_time(model, &precomputed->event[i]).t;
+  UM_TRY(um_core_allocate(context, tables->nevent, sizeof **out, out));
+  for (size_t i = 0; i < tables->nevent; i++) (*out)[i] = event_time(model, &tables->event[i]).t;
   return UM_OK;
 }

@@ -3,18 +3,17 @@
 #define UMBRA_MODEL_LOAD_GRID_IMPL_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* Longest time between two rows [s], of what has its turn period. */
-double um_model_load_step(const struct um_model *model,
-                          const struct um_model_precomputed *precomputed);
+double um_model_load_step(const struct um_model *model, const struct um_model_tables *tables);
 /* Times (*out)[*count], ascending, of what has its observations, span, turn and events; the caller
  * frees them. UM_ERR_MEMORY. */
 enum um_status um_model_load_grid(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed, double step,
-                                  double **out, size_t *count);
-/* Times (*out)[precomputed->nevent] at which the integration stops; likewise. */
+                                  const struct um_model_tables *tables, double step, double **out,
+                                  size_t *count);
+/* Times (*out)[tables->nevent] at which the integration stops; likewise. */
 enum um_status um_model_load_edges(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed, double **out);
+                                   const struct um_model_tables *tables, double **out);
 
 #endif

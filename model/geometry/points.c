@@ -54,70 +54,67 @@ static enum um_status check_points(struct um_context *context, const struct um_m
 
 static enum um_status trace_points(struct um_context *context, const struct um_model *model,
                                    const struct um_model_point *points,
-                                   struct um_model_precomputed *precomputed)
+                                   struct um_model_tables *tables)
 {
-  size_t n = precomputed->nobs;
-  UM_TRY(um_core_allocate(context, n, sizeof(double), &precomputed->t_obs));
-  UM_TRY(um_core_allocate(context, n, sizeof(double), &precomputed->sunlit));
-  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->look, &precomputed->look));
-  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->sample, &precomputed->sample));
-  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->load_row, &precomputed->load_row));
+  size_t n = tables->nobs;
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->t_obs));
+  UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->load_row, &tables->load_row));
   for (size_t k = 0; k < n; k++) {
     struct um_model_point point = points[k];
     point.t = um_model_true_time(model, point.t);
-    UM_TRY(um_model_sample_point(context, model, &point, &precomputed->sample[k],
-                                 &precomputed->look[k]));
-    precomputed->t_obs[k] = points[k].t;
-    precomputed->sunlit[k] = precomputed->sample[k].sunlit_fraction;
-    precomputed->load_row[k] = k;
+    UM_TRY(um_model_sample_point(context, model, &point, &tables->sample[k], &tables->look[k]));
+    tables->t_obs[k] = points[k].t;
+    tables->sunlit[k] = tables->sample[k].sunlit_fraction;
+    tables->load_row[k] = k;
   }
-  precomputed->t_first = precomputed->t_start = precomputed->t_periodic_end =
-      precomputed->sample[0].t_tai;
+  tables->t_first = tables->t_start = tables->t_periodic_end = tables->sample[0].t_tai;
   return UM_OK;
 }
 
 /* One row for each point; rows want times that ascend, which points have not. */
 static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
-                                  struct um_model_precomputed *precomputed)
+                                  struct um_model_tables *tables)
 {
   struct um_environment_sample *numbered = NULL;
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof *numbered, &numbered));
-  for (size_t k = 0; k < precomputed->nobs; k++) {
-    numbered[k] = precomputed->sample[k];
-    numbered[k].t_tai = precomputed->t_start + (double)k;
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof *numbered, &numbered));
+  for (size_t k = 0; k < tables->nobs; k++) {
+    numbered[k] = tables->sample[k];
+    numbered[k].t_tai = tables->t_start + (double)k;
   }
   struct um_environment environment = model->environment;
   environment.absorptance_by_angle = false; /* heat is not followed */
   enum um_status status = UM_OK;
-  if (precomputed->body == NULL)
-    status = um_model_body_tables_create(context, model, &precomputed->body);
+  if (tables->body == NULL) status = um_model_body_tables_create(context, model, &tables->body);
   struct um_irradiation_loads_options options = {.nsample = model->scenario->thermal->samples};
   if (status == UM_OK) {
-    options.sky = precomputed->body->sky;
+    options.sky = tables->body->sky;
     status = um_irradiation_loads_make(context, model->geometry, &environment, numbered,
-                                       precomputed->nobs, NULL, 0, &options, &precomputed->loads);
+                                       tables->nobs, NULL, 0, &options, &tables->loads);
   }
-  precomputed->seen = precomputed->loads;
+  tables->seen = tables->loads;
   um_core_free(context, numbered);
   return status;
 }
 
 enum um_status um_model_points_plan(struct um_context *context, const struct um_model *model,
                                     const struct um_model_instants *instants,
-                                    struct um_model_precomputed **out)
+                                    struct um_model_tables **out)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   *out = NULL;
   UM_TRY(check_points(context, model, instants->point, instants->count));
-  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
-  *precomputed = (struct um_model_precomputed){
-      .nobs = instants->count, .nsub = 1, .points = true, .period = NAN};
-  UM_CHECK(trace_points(context, model, instants->point, precomputed));
-  UM_CHECK(um_model_precomputed_hide(context, model, precomputed));
+  UM_TRY(um_core_allocate(context, 1, sizeof *tables, &tables));
+  *tables =
+      (struct um_model_tables){.nobs = instants->count, .nsub = 1, .points = true, .period = NAN};
+  UM_CHECK(trace_points(context, model, instants->point, tables));
+  UM_CHECK(um_model_tables_hide(context, model, tables));
 done:
-  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
-  *out = precomputed;
+  if (status != UM_OK) um_model_tables_destroy(context, &tables);
+  *out = tables;
   return status;
 }
 
@@ -125,26 +122,26 @@ enum um_status um_model_precompute_points_with(struct um_context *context,
                                                const struct um_model *model,
                                                const struct um_model_instants *instants,
                                                struct um_model_body_tables *body,
-                                               struct um_model_precomputed **out)
+                                               struct um_model_tables **out)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   *out = NULL;
-  UM_CHECK(um_model_points_plan(context, model, instants, &precomputed));
-  precomputed->body = um_model_body_tables_share(body);
-  UM_CHECK(trace_loads(context, model, precomputed));
-  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, precomputed));
+  UM_CHECK(um_model_points_plan(context, model, instants, &tables));
+  tables->body = um_model_body_tables_share(body);
+  UM_CHECK(trace_loads(context, model, tables));
+  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, tables));
 done:
   status = um_model_blame_table(context, model, status);
-  if (status != UM_OK) um_model_precomputed_destroy(context, &precomputed);
-  *out = precomputed;
+  if (status != UM_OK) um_model_tables_destroy(context, &tables);
+  *out = tables;
   return status;
 }
 
 enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
                                           const struct um_model_point *points, size_t npoint,
                                           struct um_model_sampling sampling,
-                                          struct um_model_precomputed **out)
+                                          struct um_model_tables **out)
 {
   const struct um_model_instants instants = {
       .point = points, .count = npoint, .sampling = sampling};

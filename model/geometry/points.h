@@ -3,7 +3,7 @@
 #define UMBRA_MODEL_POINTS_H
 
 #include "model/build/timeline.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* Index of a station of points by name; 0, the observer's own, for "". UM_ERR_INPUT names those
  * there are. */
@@ -16,6 +16,6 @@ enum um_status um_model_station_find(struct um_context *context, const struct um
 enum um_status um_model_precompute_points(struct um_context *context, const struct um_model *model,
                                           const struct um_model_point *points, size_t npoint,
                                           struct um_model_sampling sampling,
-                                          struct um_model_precomputed **out);
+                                          struct um_model_tables **out);
 
 #endif

@@ -9,13 +9,13 @@
  * the caller destroys. */
 enum um_status um_model_points_plan(struct um_context *context, const struct um_model *model,
                                     const struct um_model_instants *instants,
-                                    struct um_model_precomputed **out);
+                                    struct um_model_tables **out);
 /* As um_model_precompute_points, with tables that serve the model (body_tables.h); NULL: they are
  * traced. */
 enum um_status um_model_precompute_points_with(struct um_context *context,
                                                const struct um_model *model,
                                                const struct um_model_instants *instants,
                                                struct um_model_body_tables *body,
-                                               struct um_model_precomputed **out);
+                                               struct um_model_tables **out);
 
 #endif

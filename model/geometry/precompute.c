@@ -61,40 +61,38 @@ static double instant_of(size_t i, size_t n)
 
 static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
                                          const double *times, const double *exposures, size_t ntime,
-                                         struct um_model_precomputed *precomputed)
+                                         struct um_model_tables *tables)
 {
   const struct um_scenario_time *time = model->scenario->time;
   bool exposed = time->exposure_s > 0.0;
   for (size_t k = 0; k < ntime; k++) exposed = exposed || true_exposure(model, exposures, k) > 0.0;
-  precomputed->nobs = ntime;
-  precomputed->nsub = exposed ? (size_t)time->exposure_samples : 1;
-  size_t n = precomputed->nobs * precomputed->nsub;
-  UM_TRY(um_model_check_instants(context, model, precomputed->nobs, precomputed->nsub));
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &precomputed->t_obs));
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &precomputed->sunlit));
-  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->look, &precomputed->look));
-  UM_TRY(um_core_allocate(context, n, sizeof *precomputed->sample, &precomputed->sample));
-  memcpy(precomputed->t_obs, times, ntime * sizeof(double));
+  tables->nobs = ntime;
+  tables->nsub = exposed ? (size_t)time->exposure_samples : 1;
+  size_t n = tables->nobs * tables->nsub;
+  UM_TRY(um_model_check_instants(context, model, tables->nobs, tables->nsub));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &tables->t_obs));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &tables->sunlit));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
+  memcpy(tables->t_obs, times, ntime * sizeof(double));
   um_core_progress_begin(context, "following the orbit", n);
   for (size_t i = 0; i < n; i++) {
-    size_t k = i / precomputed->nsub;
-    double u = instant_of(i % precomputed->nsub, precomputed->nsub);
-    double t =
-        um_model_true_time(model, precomputed->t_obs[k] + u * true_exposure(model, exposures, k));
+    size_t k = i / tables->nsub;
+    double u = instant_of(i % tables->nsub, tables->nsub);
+    double t = um_model_true_time(model, tables->t_obs[k] + u * true_exposure(model, exposures, k));
     if (model->has_observer) {
-      UM_TRY(
-          um_model_sample_seen(context, model, t, &precomputed->sample[i], &precomputed->look[i]));
+      UM_TRY(um_model_sample_seen(context, model, t, &tables->sample[i], &tables->look[i]));
     } else {
-      UM_TRY(um_model_sample_at(context, model, t, &precomputed->sample[i]));
-      precomputed->look[i] = (struct um_orbit_look){
+      UM_TRY(um_model_sample_at(context, model, t, &tables->sample[i]));
+      tables->look[i] = (struct um_orbit_look){
           .t_satellite = t, .range = NAN, .azimuth = NAN, .elevation = NAN, .sun_elevation = NAN};
     }
-    if (i > 0 && !(precomputed->sample[i].t_tai >= precomputed->sample[i - 1].t_tai))
+    if (i > 0 && !(tables->sample[i].t_tai >= tables->sample[i - 1].t_tai))
       return um_core_fail(context, UM_ERR_INPUT,
                           "observation %zu: its exposure of %g s begins before the one before it "
                           "ends; accepted: exposures that do not overlap",
                           k + 1, true_exposure(model, exposures, k));
-    precomputed->sunlit[k] += precomputed->sample[i].sunlit_fraction / (double)precomputed->nsub;
+    tables->sunlit[k] += tables->sample[i].sunlit_fraction / (double)tables->nsub;
     UM_TRY(um_core_progress_step(context, 1));
   }
   um_core_progress_end(context);
@@ -102,23 +100,21 @@ static enum um_status trace_observations(struct um_context *context, const struc
 }
 
 /* When the thermal run starts, and the orbit that is made periodic. */
-static void trace_span(const struct um_model *model, struct um_model_precomputed *precomputed)
+static void trace_span(const struct um_model *model, struct um_model_tables *tables)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
-  double first = precomputed->sample[0].t_tai, sum = 0.0;
+  double first = tables->sample[0].t_tai, sum = 0.0;
   /* the middle of an exposure, so that its length does not move the start */
-  for (size_t i = 0; i < precomputed->nsub; i++) sum += precomputed->sample[i].t_tai - first;
-  precomputed->t_first = first + sum / (double)precomputed->nsub;
-  precomputed->period = um_orbit_trajectory_period(model->trajectory);
+  for (size_t i = 0; i < tables->nsub; i++) sum += tables->sample[i].t_tai - first;
+  tables->t_first = first + sum / (double)tables->nsub;
+  tables->period = um_orbit_trajectory_period(model->trajectory);
   double orbits = thermal->orbits_before;
   if (thermal->start == UM_START_PERIODIC && orbits < 1.0) orbits = 1.0;
-  precomputed->t_start = isnan(precomputed->period)
-                             ? first
-                             : fmin(first, precomputed->t_first - orbits * precomputed->period);
+  tables->t_start =
+      isnan(tables->period) ? first : fmin(first, tables->t_first - orbits * tables->period);
   /* nothing else asks where the satellite is an orbit after the start: a table may end sooner */
-  bool periodic = thermal->start == UM_START_PERIODIC && !isnan(precomputed->period);
-  precomputed->t_periodic_end =
-      periodic ? precomputed->t_start + precomputed->period : precomputed->t_start;
+  bool periodic = thermal->start == UM_START_PERIODIC && !isnan(tables->period);
+  tables->t_periodic_end = periodic ? tables->t_start + tables->period : tables->t_start;
 }
 
 static enum um_status check_times(struct um_context *context, const double *times, size_t n)
@@ -135,29 +131,27 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
                                         const struct um_model_instants *instants,
                                         struct um_model_precompute_plan *out)
 {
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   *out = (struct um_model_precompute_plan){0};
   UM_TRY(um_model_check_track(context, model));
   UM_TRY(check_times(context, instants->time, instants->count));
-  UM_TRY(um_core_allocate(context, 1, sizeof *precomputed, &precomputed));
-  out->precomputed = precomputed;
+  UM_TRY(um_core_allocate(context, 1, sizeof *tables, &tables));
+  out->tables = tables;
   UM_TRY(trace_observations(context, model, instants->time, instants->exposure, instants->count,
-                            precomputed));
-  UM_TRY(um_model_precomputed_hide(context, model, precomputed));
-  trace_span(model, precomputed);
-  UM_TRY(um_model_turn_period(context, model, precomputed, &precomputed->turn_period));
-  precomputed->sparse = instants->sparse && isnan(model->scenario->thermal->step_s) &&
-                        !(precomputed->turn_period > 0.0);
-  double step = um_model_load_step(model, precomputed);
-  double end = precomputed->sample[precomputed->nobs * precomputed->nsub - 1].t_tai;
-  UM_TRY(um_model_check_load_rows(context, model, precomputed,
-                                  fmax(end, precomputed->t_periodic_end) - precomputed->t_start,
-                                  step));
-  UM_TRY(um_model_events(context, model, precomputed->t_start,
-                         fmax(end, precomputed->t_periodic_end), &precomputed->event,
-                         &precomputed->nevent));
-  UM_TRY(um_model_load_grid(context, model, precomputed, step, &out->grid, &out->ngrid));
-  return um_model_load_edges(context, model, precomputed, &out->edge);
+                            tables));
+  UM_TRY(um_model_tables_hide(context, model, tables));
+  trace_span(model, tables);
+  UM_TRY(um_model_turn_period(context, model, tables, &tables->turn_period));
+  tables->sparse =
+      instants->sparse && isnan(model->scenario->thermal->step_s) && !(tables->turn_period > 0.0);
+  double step = um_model_load_step(model, tables);
+  double end = tables->sample[tables->nobs * tables->nsub - 1].t_tai;
+  UM_TRY(um_model_check_load_rows(context, model, tables,
+                                  fmax(end, tables->t_periodic_end) - tables->t_start, step));
+  UM_TRY(um_model_events(context, model, tables->t_start, fmax(end, tables->t_periodic_end),
+                         &tables->event, &tables->nevent));
+  UM_TRY(um_model_load_grid(context, model, tables, step, &out->grid, &out->ngrid));
+  return um_model_load_edges(context, model, tables, &out->edge);
 }
 
 void um_model_precompute_plan_clear(struct um_context *context,
@@ -165,51 +159,49 @@ void um_model_precompute_plan_clear(struct um_context *context,
 {
   um_core_free(context, plan->grid);
   um_core_free(context, plan->edge);
-  um_model_precomputed_destroy(context, &plan->precomputed);
+  um_model_tables_destroy(context, &plan->tables);
   *plan = (struct um_model_precompute_plan){0};
 }
 
 enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,
                                         struct um_model_sampling sampling,
-                                        struct um_model_precomputed *precomputed)
+                                        struct um_model_tables *tables)
 {
   const struct um_scenario_optics *optics = model->scenario->optics;
-  precomputed->sampling.samples = sampling.samples != 0 ? sampling.samples : optics->samples;
-  precomputed->sampling.paths = optics->interreflection_samples > 0 ? sampling.paths : 0;
+  tables->sampling.samples = sampling.samples != 0 ? sampling.samples : optics->samples;
+  tables->sampling.paths = optics->interreflection_samples > 0 ? sampling.paths : 0;
   if (!model->has_observer) return UM_OK;
-  return um_optics_view_trace(context, model->geometry, precomputed->sample,
-                              precomputed->nobs * precomputed->nsub, precomputed->sampling.samples,
-                              (uint64_t)optics->seed, &precomputed->view);
+  return um_optics_view_trace(context, model->geometry, tables->sample, tables->nobs * tables->nsub,
+                              tables->sampling.samples, (uint64_t)optics->seed, &tables->view);
 }
 
 enum um_status um_model_precompute_with(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_body_tables *body,
-                                        struct um_model_precomputed **out)
+                                        struct um_model_tables **out)
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
   *out = NULL;
   UM_CHECK(um_model_precompute_plan(context, model, instants, &plan));
-  plan.precomputed->body = um_model_body_tables_share(body);
-  UM_CHECK(um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge,
-                                     plan.precomputed));
-  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, plan.precomputed));
-  *out = plan.precomputed;
-  plan.precomputed = NULL;
+  plan.tables->body = um_model_body_tables_share(body);
+  UM_CHECK(
+      um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge, plan.tables));
+  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, plan.tables));
+  *out = plan.tables;
+  plan.tables = NULL;
 done:
   um_model_precompute_plan_clear(context, &plan);
   return um_model_blame_table(context, model, status);
 }
 
-enum um_status um_model_precomputed_resample(struct um_context *context,
-                                             const struct um_model *model,
-                                             struct um_model_precomputed *precomputed,
-                                             struct um_model_sampling sampling)
+enum um_status um_model_tables_resample(struct um_context *context, const struct um_model *model,
+                                        struct um_model_tables *tables,
+                                        struct um_model_sampling sampling)
 {
   const struct um_scenario_optics *optics = model->scenario->optics;
-  struct um_model_precomputed again = *precomputed;
-  if (precomputed->view == NULL)
+  struct um_model_tables again = *tables;
+  if (tables->view == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "no lines of sight without an observer");
   if (optics->interreflection_samples > 0 && sampling.paths < 1)
     return um_core_fail(context, UM_ERR_INPUT,
@@ -217,16 +209,15 @@ enum um_status um_model_precomputed_resample(struct um_context *context,
                         sampling.paths);
   UM_TRY(um_model_precompute_view(context, model, sampling, &again));
   um_optics_photon_maps_destroy(context, &again.photons);
-  um_optics_view_destroy(context, &precomputed->view);
-  *precomputed = again;
+  um_optics_view_destroy(context, &tables->view);
+  *tables = again;
   return UM_OK;
 }
 
-void um_model_precomputed_destroy(struct um_context *context,
-                                  struct um_model_precomputed **precomputed)
+void um_model_tables_destroy(struct um_context *context, struct um_model_tables **tables)
 {
-  if (precomputed == NULL || *precomputed == NULL) return;
-  struct um_model_precomputed *t = *precomputed;
+  if (tables == NULL || *tables == NULL) return;
+  struct um_model_tables *t = *tables;
   um_core_free(context, t->t_obs);
   um_core_free(context, t->sunlit);
   um_core_free(context, t->hidden);
@@ -243,5 +234,5 @@ void um_model_precomputed_destroy(struct um_context *context,
   um_optics_photon_maps_destroy(context, &t->photons);
   um_optics_view_destroy(context, &t->view);
   um_core_free(context, t);
-  *precomputed = NULL;
+  *tables = NULL;
 }

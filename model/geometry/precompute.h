@@ -1,10 +1,10 @@
-/* The geometry precomputation of a timeline. */
+/* The geometry tables of a timeline. */
 #ifndef UMBRA_MODEL_PRECOMPUTE_H
 #define UMBRA_MODEL_PRECOMPUTE_H
 
 #include "model/build/model.h"
 #include "model/build/timeline.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* When and how finely a model is looked at. */
 struct um_model_instants {
@@ -25,7 +25,7 @@ enum um_status um_model_scenario_times(struct um_context *context, const struct 
                                        double **times, size_t *count);
 /* Over the scenario's own window. UM_ERR_INPUT; the caller destroys. */
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
-                                   struct um_model_precomputed **out);
+                                   struct um_model_tables **out);
 /* The same at given observation times [ntime], t_tai, strictly ascending, in place of the
  * scenario's start, stop and step (measurements have times of their own). UM_ERR_INPUT for none or
  * out of order. exposures: NULL, or [ntime] [s] in place of the scenario's. sampling: of its lines
@@ -33,37 +33,35 @@ enum um_status um_model_precompute(struct um_context *context, const struct um_m
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
                                       struct um_model_sampling sampling,
-                                      struct um_model_precomputed **out);
+                                      struct um_model_tables **out);
 /* Whichever of um_model_precompute, um_model_precompute_at and um_model_precompute_points the
  * instants ask for; NULL: the scenario's own window. */
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
-                                        struct um_model_precomputed **out);
+                                        struct um_model_tables **out);
 /* The same as um_model_precompute_over, number for number, with what `like`, traced of `made`, has
  * of the body alone (body_tables.h), where that is valid for the model: times, orbit, attitude and
  * light may be others. `like` may be destroyed before or after. */
 enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
-                                        const struct um_model_precomputed *like,
+                                        const struct um_model_tables *like,
                                         const struct um_model *model,
                                         const struct um_model_instants *instants,
-                                        struct um_model_precomputed **out);
+                                        struct um_model_tables **out);
 /* Memory that it takes, but for some per cent, tables of the body included [bytes]. */
-size_t um_model_precomputed_bytes(const struct um_model_precomputed *precomputed);
-/* Look again: lines of sight of the geometry precomputation with another number of points per
+size_t um_model_tables_bytes(const struct um_model_tables *tables);
+/* Look again: lines of sight of the geometry tables with another number of points per
  * facet, everything else of it as it was; its `sampling` says what runs on it look with. Paths
  * stay the model's where optics.interreflection_samples is 0. UM_ERR_INPUT: no observer, or a
  * number out of range (then nothing is changed); UM_ERR_MEMORY, UM_ERR_LIBRARY, UM_ERR_CANCELLED.
  */
-enum um_status um_model_precomputed_resample(struct um_context *context,
-                                             const struct um_model *model,
-                                             struct um_model_precomputed *precomputed,
-                                             struct um_model_sampling sampling);
+enum um_status um_model_tables_resample(struct um_context *context, const struct um_model *model,
+                                        struct um_model_tables *tables,
+                                        struct um_model_sampling sampling);
 /* Keep the sunlight that mirrors throw on other surfaces as the model has it, for many runs of it
  * and of others that have the same mirrors (optics/paths/photon_maps.h). Errors of
  * um_optics_photon_maps_create. */
 enum um_status um_model_precompute_photons(struct um_context *context, const struct um_model *model,
-                                           struct um_model_precomputed *precomputed);
-void um_model_precomputed_destroy(struct um_context *context,
-                                  struct um_model_precomputed **precomputed);
+                                           struct um_model_tables *tables);
+void um_model_tables_destroy(struct um_context *context, struct um_model_tables **tables);
 
 #endif

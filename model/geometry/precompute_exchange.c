@@ -176,18 +176,18 @@ done:
 enum um_status um_model_precompute_view_factors(struct um_context *context,
                                                 const struct um_model *model,
                                                 const struct um_environment_sample *samples,
-                                                size_t n, struct um_model_precomputed *precomputed)
+                                                size_t n, struct um_model_tables *tables)
 {
   enum um_status status = UM_OK;
   size_t ntime = um_geometry_joint_moves(model->geometry) ? n : 1;
-  struct um_geometry_view_factor_table **table = &precomputed->body->view_factors;
+  struct um_geometry_view_factor_table **table = &tables->body->view_factors;
   double *angles = NULL;
   if (*table == NULL) {
     UM_CHECK(angles_make(context, model, samples, ntime, &angles));
     UM_CHECK(make_table(context, model, angles, ntime, table));
     say(context, model, *table);
   }
-  precomputed->view_factors = *table;
+  tables->view_factors = *table;
 done:
   um_core_free(context, angles);
   return status;

@@ -4,18 +4,17 @@
 
 #include "model/build/model.h"
 #include "model/geometry/precompute.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* The time at which an observation of that tag was really made. */
 double um_model_true_time(const struct um_model *model, double tag);
 
-/* What a geometry precomputation is to be of, before anything is traced. */
+/* What geometry tables are to be of, before anything is traced. */
 struct um_model_precompute_plan {
-  struct um_model_precomputed
-      *precomputed; /* observations, span, turn, events; no loads, no view */
-  double *grid;     /* [ngrid] times of the loads */
+  struct um_model_tables *tables; /* observations, span, turn, events; no loads, no view */
+  double *grid;                   /* [ngrid] times of the loads */
   size_t ngrid;
-  double *edge; /* [precomputed->nevent] times at which the integration stops */
+  double *edge; /* [tables->nevent] times at which the integration stops */
 };
 /* Errors of um_model_precompute_at. Cleared by the caller, after a failure too. */
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
@@ -24,17 +23,17 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
 void um_model_precompute_plan_clear(struct um_context *context,
                                     struct um_model_precompute_plan *plan);
 
-/* Lines of sight of what stands in the geometry precomputation, and its sampling; none without an
+/* Lines of sight of what stands in the geometry tables, and its sampling; none without an
  * observer. Errors of um_optics_view_trace. */
 enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,
                                         struct um_model_sampling sampling,
-                                        struct um_model_precomputed *precomputed);
+                                        struct um_model_tables *tables);
 
 /* As um_model_precompute_at, with tables that serve the model (body_tables.h); NULL: they are
  * traced. */
 enum um_status um_model_precompute_with(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_body_tables *body,
-                                        struct um_model_precomputed **out);
+                                        struct um_model_tables **out);
 
 #endif

@@ -49,7 +49,7 @@ turning_law(const struct um_model *model, struct um_scenario_turn *turn, const c
 }
 
 enum um_status um_model_turn_period(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_precomputed *precomputed, double *period)
+                                    const struct um_model_tables *tables, double *period)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
   struct um_scenario_turn turn;
@@ -65,7 +65,7 @@ enum um_status um_model_turn_period(struct um_context *context, const struct um_
   double p = fabs(turn.period_s);
   if (!wanted && !(p <= UM_MODEL_LOADS_LONGEST_STEP)) return UM_OK;
   const struct um_environment *e = &model->environment;
-  double sun = um_environment_solar_irradiance(e, precomputed->sample[0].sun_distance);
+  double sun = um_environment_solar_irradiance(e, tables->sample[0].sun_distance);
   UM_TRY(um_thermal_ripple_bound(context, model->body->network, p, sun, e->albedo,
                                  e->outgoing_longwave, &ripple));
   if (!wanted && !(ripple.error <= thermal->accuracy_K)) return UM_OK;
@@ -138,22 +138,21 @@ static enum um_status table_make(struct um_context *context, const struct um_mod
 
 /* Tables at the observed instants, beside that of the means; the start is their first row. */
 static enum um_status trace_seen(struct um_context *context, const struct um_model *model,
-                                 const double *edge, struct um_model_precomputed *precomputed)
+                                 const double *edge, struct um_model_tables *tables)
 {
   enum um_status status;
-  size_t ninstant = precomputed->nobs * precomputed->nsub, n = 0;
+  size_t ninstant = tables->nobs * tables->nsub, n = 0;
   struct um_environment_sample *samples = NULL;
   double *times = NULL;
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
-  if (precomputed->t_start < precomputed->sample[0].t_tai) times[n++] = precomputed->t_start;
+  if (tables->t_start < tables->sample[0].t_tai) times[n++] = tables->t_start;
   for (size_t i = 0; i < ninstant; i++)
-    if (n == 0 || precomputed->sample[i].t_tai > times[n - 1])
-      times[n++] = precomputed->sample[i].t_tai;
+    if (n == 0 || tables->sample[i].t_tai > times[n - 1]) times[n++] = tables->sample[i].t_tai;
   UM_CHECK(um_model_load_samples(context, model, times, n, &samples));
-  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, n, edge, precomputed->nevent,
-                      0.0, false, &precomputed->seen));
-  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, n, edge, precomputed->nevent,
-                      precomputed->turn_period, true, &precomputed->ripple));
+  UM_CHECK(table_make(context, model, tables->body->sky, samples, n, edge, tables->nevent, 0.0,
+                      false, &tables->seen));
+  UM_CHECK(table_make(context, model, tables->body->sky, samples, n, edge, tables->nevent,
+                      tables->turn_period, true, &tables->ripple));
 done:
   um_core_free(context, times);
   um_core_free(context, samples);
@@ -161,15 +160,14 @@ done:
 }
 
 /* The observed instants of sparse loads, between their rows. */
-static enum um_status find_seen(struct um_context *context,
-                                struct um_model_precomputed *precomputed)
+static enum um_status find_seen(struct um_context *context, struct um_model_tables *tables)
 {
-  size_t n = precomputed->nobs * precomputed->nsub;
+  size_t n = tables->nobs * tables->nsub;
   double *times = NULL;
   UM_TRY(um_core_allocate(context, n, sizeof *times, &times));
-  for (size_t i = 0; i < n; i++) times[i] = precomputed->sample[i].t_tai;
+  for (size_t i = 0; i < n; i++) times[i] = tables->sample[i].t_tai;
   enum um_status status =
-      um_irradiation_loads_between(context, precomputed->loads, times, n, &precomputed->seen);
+      um_irradiation_loads_between(context, tables->loads, times, n, &tables->seen);
   um_core_free(context, times);
   return status;
 }
@@ -177,57 +175,54 @@ static enum um_status find_seen(struct um_context *context,
 /* Loads by way of mirrors, at the rows of the loads. */
 static enum um_status trace_mirrored(struct um_context *context, const struct um_model *model,
                                      const struct um_environment_sample *samples,
-                                     struct um_model_precomputed *precomputed)
+                                     struct um_model_tables *tables)
 {
-  const struct um_geometry_view_factor_table *table = precomputed->view_factors;
+  const struct um_geometry_view_factor_table *table = tables->view_factors;
   struct turner turner = {context, model, samples};
   const struct um_irradiation_turn turn = {
-      .n = TURN_SAMPLES, .period = precomputed->turn_period, .attitude = turned, .self = &turner};
+      .n = TURN_SAMPLES, .period = tables->turn_period, .attitude = turned, .self = &turner};
   const struct um_irradiation_mirrored_options options = {
-      .turn = precomputed->turn_period > 0.0 ? &turn : NULL, .points = MIRROR_POINTS};
+      .turn = tables->turn_period > 0.0 ? &turn : NULL, .points = MIRROR_POINTS};
   if (table == NULL || table->mirrors == NULL) return UM_OK;
   return um_irradiation_mirrored_trace(context, model->geometry, &model->environment, samples,
-                                       precomputed->loads, table->patches, table->mirrors, &options,
-                                       &precomputed->mirrored);
+                                       tables->loads, table->patches, table->mirrors, &options,
+                                       &tables->mirrored);
 }
 
 /* Row of what is seen at every observed instant. */
-static enum um_status trace_rows(struct um_context *context,
-                                 struct um_model_precomputed *precomputed)
+static enum um_status trace_rows(struct um_context *context, struct um_model_tables *tables)
 {
-  const struct um_irradiation_loads *seen = precomputed->seen;
-  size_t ninstant = precomputed->nobs * precomputed->nsub, row = 0;
-  UM_TRY(
-      um_core_allocate(context, ninstant, sizeof *precomputed->load_row, &precomputed->load_row));
+  const struct um_irradiation_loads *seen = tables->seen;
+  size_t ninstant = tables->nobs * tables->nsub, row = 0;
+  UM_TRY(um_core_allocate(context, ninstant, sizeof *tables->load_row, &tables->load_row));
   for (size_t i = 0; i < ninstant; i++) {
-    while (row + 1 < seen->ntime && seen->t[row] < precomputed->sample[i].t_tai) row++;
-    precomputed->load_row[i] = row;
+    while (row + 1 < seen->ntime && seen->t[row] < tables->sample[i].t_tai) row++;
+    tables->load_row[i] = row;
   }
   return UM_OK;
 }
 
 enum um_status um_model_precompute_loads(struct um_context *context, const struct um_model *model,
                                          const double *times, size_t ntime, const double *edge,
-                                         struct um_model_precomputed *precomputed)
+                                         struct um_model_tables *tables)
 {
   enum um_status status;
   struct um_environment_sample *samples = NULL;
   UM_CHECK(um_model_load_samples(context, model, times, ntime, &samples));
   warn_of_gas(context, model, samples, ntime);
-  if (precomputed->body == NULL)
-    UM_CHECK(um_model_body_tables_create(context, model, &precomputed->body));
-  UM_CHECK(table_make(context, model, precomputed->body->sky, samples, ntime, edge,
-                      precomputed->nevent, precomputed->turn_period, false, &precomputed->loads));
-  if (precomputed->turn_period > 0.0)
-    UM_CHECK(trace_seen(context, model, edge, precomputed));
-  else if (precomputed->sparse)
-    UM_CHECK(find_seen(context, precomputed));
+  if (tables->body == NULL) UM_CHECK(um_model_body_tables_create(context, model, &tables->body));
+  UM_CHECK(table_make(context, model, tables->body->sky, samples, ntime, edge, tables->nevent,
+                      tables->turn_period, false, &tables->loads));
+  if (tables->turn_period > 0.0)
+    UM_CHECK(trace_seen(context, model, edge, tables));
+  else if (tables->sparse)
+    UM_CHECK(find_seen(context, tables));
   else
-    precomputed->seen = precomputed->loads;
-  UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, precomputed));
-  UM_CHECK(trace_mirrored(context, model, samples, precomputed));
-  UM_CHECK(trace_rows(context, precomputed));
-  precomputed->load_sample = samples;
+    tables->seen = tables->loads;
+  UM_CHECK(um_model_precompute_view_factors(context, model, samples, ntime, tables));
+  UM_CHECK(trace_mirrored(context, model, samples, tables));
+  UM_CHECK(trace_rows(context, tables));
+  tables->load_sample = samples;
   samples = NULL;
 done:
   um_core_free(context, samples);

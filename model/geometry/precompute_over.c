@@ -1,4 +1,4 @@
-/* Geometry precomputations by the instants that are asked for, and what they take. */
+/* Geometry tables by the instants that are asked for, and what they take. */
 #include "geometry/mirror_paths.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/bounds_impl.h"
@@ -10,7 +10,7 @@
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
                                       struct um_model_sampling sampling,
-                                      struct um_model_precomputed **out)
+                                      struct um_model_tables **out)
 {
   const struct um_model_instants instants = {
       .time = times, .exposure = exposures, .count = ntime, .sampling = sampling};
@@ -20,8 +20,7 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
 /* Over the scenario's own window, of which the instants have no times. */
 static enum um_status window_trace(struct um_context *context, const struct um_model *model,
                                    struct um_model_instants window,
-                                   struct um_model_body_tables *body,
-                                   struct um_model_precomputed **out)
+                                   struct um_model_body_tables *body, struct um_model_tables **out)
 {
   double *times = NULL;
   *out = NULL;
@@ -34,14 +33,14 @@ static enum um_status window_trace(struct um_context *context, const struct um_m
 }
 
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
-                                   struct um_model_precomputed **out)
+                                   struct um_model_tables **out)
 {
   return window_trace(context, model, (struct um_model_instants){.count = 0}, NULL, out);
 }
 
 static enum um_status trace(struct um_context *context, const struct um_model *model,
                             const struct um_model_instants *instants,
-                            struct um_model_body_tables *body, struct um_model_precomputed **out)
+                            struct um_model_body_tables *body, struct um_model_tables **out)
 {
   if (instants == NULL)
     return window_trace(context, model, (struct um_model_instants){.count = 0}, body, out);
@@ -53,16 +52,16 @@ static enum um_status trace(struct um_context *context, const struct um_model *m
 
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
-                                        struct um_model_precomputed **out)
+                                        struct um_model_tables **out)
 {
   return trace(context, model, instants, NULL, out);
 }
 
 enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
-                                        const struct um_model_precomputed *like,
+                                        const struct um_model_tables *like,
                                         const struct um_model *model,
                                         const struct um_model_instants *instants,
-                                        struct um_model_precomputed **out)
+                                        struct um_model_tables **out)
 {
   bool serves;
   *out = NULL;
@@ -98,7 +97,7 @@ static size_t factors_bytes(const struct um_geometry_view_factor_table *t)
   return bytes + t->ntime * t->ncorner * (sizeof(uint32_t) + sizeof(double));
 }
 
-size_t um_model_precomputed_bytes(const struct um_model_precomputed *p)
+size_t um_model_tables_bytes(const struct um_model_tables *p)
 {
   size_t mirrored = p->mirrored == NULL
                         ? 0

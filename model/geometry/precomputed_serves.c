@@ -1,4 +1,4 @@
-/* Which models a geometry precomputation is valid for: all that it was traced of is compared, so
+/* Which models geometry tables are valid for: all that they were traced of is compared, so
  * that nobody has to know which key or effect changes what. */
 #include "model/geometry/precomputed_serves.h"
 
@@ -35,7 +35,7 @@ static bool same_region(const struct um_environment_region *a,
 
 /* The same ground. A brightness temperature is of the light alone while it is one for all of the
  * Earth, unless nothing else of it shines, so that it decides whether the Earth is traced; where
- * places differ the precomputation has it. */
+ * places differ the geometry tables have it. */
 static bool same_earth(const struct um_environment *a, const struct um_environment *b)
 {
   if (um_irradiation_earth_shines(a) != um_irradiation_earth_shines(b)) return false;
@@ -64,7 +64,7 @@ static bool same_air(const struct um_environment *a, const struct um_environment
           same_limb(a->limb, b->limb));
 }
 
-/* Members of the environment that are not here act behind the precomputation: each has its line in
+/* Members of the environment that are not here act behind the geometry tables: each has its line in
  * tests/model/geometry/precomputed_serves.c, which does not compile where one has none. */
 bool um_model_light_serves(const struct um_model *made, const struct um_model *model)
 {
@@ -82,7 +82,7 @@ bool um_model_light_serves(const struct um_model *made, const struct um_model *m
 
 static bool same_number(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 
-static bool events_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
+static bool events_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   if (a->nevent != b->nevent) return false;
   for (size_t i = 0; i < a->nevent; i++)
@@ -92,8 +92,7 @@ static bool events_equal(const struct um_model_precomputed *a, const struct um_m
 }
 
 /* The same observations. */
-static bool observations_equal(const struct um_model_precomputed *a,
-                               const struct um_model_precomputed *b)
+static bool observations_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   size_t n = a->nobs * a->nsub;
   return a->nobs == b->nobs && a->nsub == b->nsub && a->t_first == b->t_first &&
@@ -104,10 +103,9 @@ static bool observations_equal(const struct um_model_precomputed *a,
 }
 
 /* The span of the heat and its grid, too. */
-static bool plan_equal(const struct um_model_precomputed *a,
-                       const struct um_model_precompute_plan *p)
+static bool plan_equal(const struct um_model_tables *a, const struct um_model_precompute_plan *p)
 {
-  const struct um_model_precomputed *b = p->precomputed;
+  const struct um_model_tables *b = p->tables;
   return observations_equal(a, b) && a->loads->ntime == p->ngrid &&
          same_number(a->period, b->period) && a->t_periodic_end == b->t_periodic_end &&
          a->turn_period == b->turn_period && a->sparse == b->sparse && events_equal(a, b) &&
@@ -115,22 +113,20 @@ static bool plan_equal(const struct um_model_precomputed *a,
          same(a->loads->edge, p->edge, b->nevent, sizeof *p->edge);
 }
 
-static enum um_status same_points(struct um_context *context,
-                                  const struct um_model_precomputed *precomputed,
+static enum um_status same_points(struct um_context *context, const struct um_model_tables *tables,
                                   const struct um_model_instants *instants,
                                   const struct um_model *model, bool *out)
 {
-  struct um_model_precomputed *plan = NULL;
+  struct um_model_tables *plan = NULL;
   um_core_quiet_begin(context);
   enum um_status status = um_model_points_plan(context, model, instants, &plan);
   um_core_quiet_end(context);
-  if (status == UM_OK) *out = observations_equal(precomputed, plan);
-  um_model_precomputed_destroy(context, &plan);
+  if (status == UM_OK) *out = observations_equal(tables, plan);
+  um_model_tables_destroy(context, &plan);
   return status;
 }
 
-static enum um_status same_times(struct um_context *context,
-                                 const struct um_model_precomputed *precomputed,
+static enum um_status same_times(struct um_context *context, const struct um_model_tables *tables,
                                  const struct um_model_instants *instants,
                                  const struct um_model *model, bool *out)
 {
@@ -143,7 +139,7 @@ static enum um_status same_times(struct um_context *context,
   if (of.time == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
   if (of.time == NULL) of.time = times;
   UM_CHECK(um_model_precompute_plan(context, model, &of, &plan));
-  *out = plan_equal(precomputed, &plan);
+  *out = plan_equal(tables, &plan);
 done:
   um_core_quiet_end(context);
   um_model_precompute_plan_clear(context, &plan);
@@ -152,16 +148,15 @@ done:
 }
 
 /* The scene at the rows of the loads. */
-static enum um_status same_scene(struct um_context *context,
-                                 const struct um_model_precomputed *precomputed,
+static enum um_status same_scene(struct um_context *context, const struct um_model_tables *tables,
                                  const struct um_model *model, bool *out)
 {
-  const struct um_irradiation_loads *loads = precomputed->loads;
+  const struct um_irradiation_loads *loads = tables->loads;
   struct um_environment_sample *sample = NULL;
   um_core_quiet_begin(context);
   enum um_status status = um_model_load_samples(context, model, loads->t, loads->ntime, &sample);
   um_core_quiet_end(context);
-  if (status == UM_OK) *out = same(precomputed->load_sample, sample, loads->ntime, sizeof *sample);
+  if (status == UM_OK) *out = same(tables->load_sample, sample, loads->ntime, sizeof *sample);
   um_core_free(context, sample);
   return status;
 }
@@ -177,7 +172,7 @@ static bool options_equal(const struct um_model *a, const struct um_model *b)
 }
 
 /* Looked at as finely as the model would be over the instants. */
-static bool sampling_serves(const struct um_model_precomputed *precomputed,
+static bool sampling_serves(const struct um_model_tables *tables,
                             const struct um_model_instants *instants, const struct um_model *model)
 {
   const struct um_scenario_optics *optics = model->scenario->optics;
@@ -185,8 +180,7 @@ static bool sampling_serves(const struct um_model_precomputed *precomputed,
   if (instants != NULL) asked = instants->sampling;
   if (asked.samples == 0) asked.samples = optics->samples;
   if (optics->interreflection_samples <= 0) asked.paths = 0;
-  return precomputed->sampling.samples == asked.samples &&
-         precomputed->sampling.paths == asked.paths;
+  return tables->sampling.samples == asked.samples && tables->sampling.paths == asked.paths;
 }
 
 /* A sky for both, or for neither. */
@@ -205,17 +199,17 @@ enum um_status um_model_body_serves(struct um_context *context, const struct um_
   return *out ? um_model_mirror_classes_serve(context, made, model, out) : UM_OK;
 }
 
-enum um_status um_model_precomputed_serves(struct um_context *context, const struct um_model *made,
-                                           const struct um_model_precomputed *precomputed,
-                                           const struct um_model_instants *instants,
-                                           const struct um_model *model, bool *out)
+enum um_status um_model_tables_serves(struct um_context *context, const struct um_model *made,
+                                      const struct um_model_tables *tables,
+                                      const struct um_model_instants *instants,
+                                      const struct um_model *model, bool *out)
 {
   *out = made->points == model->points && made->has_observer == model->has_observer &&
          um_geometry_equal(made->geometry, model->geometry) && options_equal(made, model) &&
-         sampling_serves(precomputed, instants, model) && um_model_light_serves(made, model);
-  if (*out && model->points) return same_points(context, precomputed, instants, model, out);
+         sampling_serves(tables, instants, model) && um_model_light_serves(made, model);
+  if (*out && model->points) return same_points(context, tables, instants, model, out);
   if (*out) UM_TRY(um_model_mirror_classes_serve(context, made, model, out));
-  if (*out) UM_TRY(same_times(context, precomputed, instants, model, out));
-  if (*out) UM_TRY(same_scene(context, precomputed, model, out));
+  if (*out) UM_TRY(same_times(context, tables, instants, model, out));
+  if (*out) UM_TRY(same_scene(context, tables, model, out));
   return UM_OK;
 }

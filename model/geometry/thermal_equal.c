@@ -78,8 +78,7 @@ bool um_model_view_factors_equal(const struct um_geometry_view_factor_table *a,
               sizeof *a->patches->patch);
 }
 
-bool um_model_times_equal(const struct um_model_precomputed *a,
-                          const struct um_model_precomputed *b)
+bool um_model_times_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   if (a == b) return true;
   if (a->nobs != b->nobs || a->nsub != b->nsub || a->t_start != b->t_start ||

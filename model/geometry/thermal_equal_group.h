@@ -2,7 +2,7 @@
 #ifndef UMBRA_MODEL_THERMAL_EQUAL_GROUP_H
 #define UMBRA_MODEL_THERMAL_EQUAL_GROUP_H
 
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "thermal/network/solve_options.h"
 
 /* NULL: none, here and below. */
@@ -13,8 +13,7 @@ bool um_model_mirror_classes_equal(const struct um_geometry_mirrors *a,
 bool um_model_view_factors_equal(const struct um_geometry_view_factor_table *a,
                                  const struct um_geometry_view_factor_table *b);
 /* Instants of the observations and where the heat begins. */
-bool um_model_times_equal(const struct um_model_precomputed *a,
-                          const struct um_model_precomputed *b);
+bool um_model_times_equal(const struct um_model_tables *a, const struct um_model_tables *b);
 /* Tolerances and switches. */
 bool um_model_heat_options_equal(const struct um_thermal_solve_options *a,
                                  const struct um_thermal_solve_options *b);

@@ -12,9 +12,9 @@
 
 #define ARCSEC (UM_DEG / 3600.0)
 
-static const struct um_orbit_look *look_of(const struct um_model_precomputed *precomputed, size_t k)
+static const struct um_orbit_look *look_of(const struct um_model_tables *tables, size_t k)
 {
-  return &precomputed->look[k * precomputed->nsub + precomputed->nsub / 2];
+  return &tables->look[k * tables->nsub + tables->nsub / 2];
 }
 
 /* Mean wavelength of a band's bins, weighted by what passes [m]. */
@@ -88,10 +88,10 @@ done:
 }
 
 static enum um_status check(struct um_context *context, const struct um_model *model,
-                            const struct um_model_precomputed *precomputed, size_t k, size_t s)
+                            const struct um_model_tables *tables, size_t k, size_t s)
 {
   const struct um_model_sensor *sensor = &model->sensor[s];
-  if (precomputed->hidden[k])
+  if (tables->hidden[k])
     return um_core_fail(context, UM_ERR_INPUT,
                         "sensor '%s' sees nothing at that time: below the horizon, or behind the "
                         "Earth",
@@ -122,24 +122,24 @@ static double arriving(const struct um_model *model, const struct um_model_resul
 }
 
 enum um_status um_model_frame_create(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_tables *tables,
                                      const struct um_model_result *result, size_t k, size_t s,
                                      const struct um_model_frame_options *options,
                                      struct um_model_frame *out)
 {
   *out = (struct um_model_frame){.fwhm = NAN};
-  UM_TRY(check(context, model, precomputed, k, s));
+  UM_TRY(check(context, model, tables, k, s));
   enum um_status status;
   const struct um_model_sensor *sensor = &model->sensor[s];
-  const struct um_orbit_look *look = look_of(precomputed, k);
+  const struct um_orbit_look *look = look_of(tables, k);
   struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
   struct um_instrument_psf psf = {0};
   struct um_optics_image *image = NULL;
   double *rate = NULL;
-  out->background = um_model_pixel_background(model, precomputed, result, k, s);
+  out->background = um_model_pixel_background(model, tables, result, k, s);
   UM_CHECK(spread_create(context, options, &sensor->optics, mean_wavelength(&bins), look->elevation,
                          &psf));
-  UM_CHECK(um_model_picture(context, model, precomputed, result, k, sensor->band, 1, options->width,
+  UM_CHECK(um_model_picture(context, model, tables, result, k, sensor->band, 1, options->width,
                             options->samples, &image));
   UM_CHECK(electrons(context, image, &bins, arriving(model, result, k, s, out->background), &rate));
   const struct um_instrument_source source = {image->width, image->height,

@@ -3,7 +3,7 @@
 #define UMBRA_MODEL_FRAME_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/result.h"
 #include "optics/instrument/frame.h"
 
@@ -37,7 +37,7 @@ struct um_model_frame {
  * by photons, whose sum is the run's count rate. UM_ERR_INPUT: hidden, a sensor without pixels or
  * exposure, turbulence without air, and those of um_instrument_frame_create. The caller clears. */
 enum um_status um_model_frame_create(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_tables *tables,
                                      const struct um_model_result *result, size_t k, size_t s,
                                      const struct um_model_frame_options *options,
                                      struct um_model_frame *out);

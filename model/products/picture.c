@@ -28,7 +28,7 @@ enum um_status um_model_picture_estimate(struct um_context *context, const struc
 }
 
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
+                                const struct um_model_tables *tables,
                                 const struct um_model_result *result, size_t k, size_t band,
                                 size_t nband, int width, int samples_per_pixel,
                                 struct um_optics_image **out)
@@ -37,25 +37,24 @@ enum um_status um_model_picture(struct um_context *context, const struct um_mode
   if (!model->has_observer)
     return um_core_fail(context, UM_ERR_INPUT, "%s: a picture needs an observer",
                         model->scenario->at.file);
-  size_t instant = k * precomputed->nsub + precomputed->nsub / 2;
-  size_t row = precomputed->load_row[instant] * precomputed->seen->nsurface;
+  size_t instant = k * tables->nsub + tables->nsub / 2;
+  size_t row = tables->load_row[instant] * tables->seen->nsurface;
   struct um_materials_adjustment *aged = NULL;
-  UM_TRY(um_model_materials_over(context, model, &precomputed->sample[instant], 1, &aged));
-  struct um_optics_scene scene = {.geometry = model->geometry,
-                                  .creases = model->creases,
-                                  .environment = &model->environment,
-                                  .samples = &precomputed->sample[instant],
-                                  .material = model->material,
-                                  .adjustment = aged != NULL ? aged : model->adjustment,
-                                  .temperature = result->surface_temperature + k * result->nsurface,
-                                  .albedo = precomputed->seen->albedo + row,
-                                  .view_factor = precomputed->seen->view_factor + row,
-                                  .interreflection_samples = um_model_paths(model, precomputed),
-                                  .brightness = precomputed->seen->brightness == NULL
-                                                    ? NULL
-                                                    : precomputed->seen->brightness + row};
+  UM_TRY(um_model_materials_over(context, model, &tables->sample[instant], 1, &aged));
+  struct um_optics_scene scene = {
+      .geometry = model->geometry,
+      .creases = model->creases,
+      .environment = &model->environment,
+      .samples = &tables->sample[instant],
+      .material = model->material,
+      .adjustment = aged != NULL ? aged : model->adjustment,
+      .temperature = result->surface_temperature + k * result->nsurface,
+      .albedo = tables->seen->albedo + row,
+      .view_factor = tables->seen->view_factor + row,
+      .interreflection_samples = um_model_paths(model, tables),
+      .brightness = tables->seen->brightness == NULL ? NULL : tables->seen->brightness + row};
   struct um_optics_image_options options =
-      options_of(&precomputed->sample[instant], width, samples_per_pixel);
+      options_of(&tables->sample[instant], width, samples_per_pixel);
   enum um_status status =
       um_optics_image_render(context, &scene, 0, &model->band[band], nband, &options, out);
   um_core_free(context, aged);

@@ -3,14 +3,14 @@
 #define UMBRA_MODEL_PICTURE_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/result.h"
 #include "optics/image/image.h"
 
 /* Picture of observation k in bands [band, band + nband), up being away from the Earth; see
  * um_optics_image_render. UM_ERR_INPUT without an observer. */
 enum um_status um_model_picture(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
+                                const struct um_model_tables *tables,
                                 const struct um_model_result *result, size_t k, size_t band,
                                 size_t nband, int width, int samples_per_pixel,
                                 struct um_optics_image **out);

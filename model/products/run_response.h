@@ -10,11 +10,11 @@
 /* um_model_run_with with the light of every surface made at its temperature plus offset[nsurface]
  * [K], for derivatives. Nodes and their places stay as they are, means of materials move along. */
 enum um_status um_model_run_warmer(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_model_thermal_solution *heat,
                                    const double *offset, struct um_model_result **out);
-/* How node temperatures answer to small heat from the first instant of the geometry precomputation
- * on, along this history: um_thermal_sensitivity to pulses[npulse] at the geometry precomputation's
+/* How node temperatures answer to small heat from the first instant of the geometry tables
+ * on, along this history: um_thermal_sensitivity to pulses[npulse] at the geometry tables'
  * instants [nobs * nsub], steps held to `tolerance` [1]; 0: the default. UM_ERR_INPUT for points.
  */
 enum um_status um_model_thermal_solution_response(struct um_context *context,

@@ -41,25 +41,24 @@ static bool exchange_small(const struct um_geometry_view_factor_table *table)
 enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
                                                    const struct um_model_thermal_solution *heat,
                                                    const struct um_model *model,
-                                                   const struct um_model_precomputed *precomputed,
-                                                   bool *out)
+                                                   const struct um_model_tables *tables, bool *out)
 {
   (void)context;
   struct um_thermal_solve_options options = um_model_heat_options(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
-  const struct um_model_precomputed *own = heat->precomputed;
+  const struct um_model_tables *own = heat->tables;
   struct um_thermal_exchange_options x = um_model_exchange_options(heat->model),
                                      y = um_model_exchange_options(model);
-  *out = !own->points && !precomputed->points && own->ripple == NULL &&
-         exchange_small(own->view_factors) && precomputed->ripple == NULL &&
+  *out = !own->points && !tables->points && own->ripple == NULL &&
+         exchange_small(own->view_factors) && tables->ripple == NULL &&
          (a->start != UM_START_PERIODIC || !isnan(own->period)) && a->start == b->start &&
          um_model_heat_options_equal(&options, &heat->setting.options) &&
-         um_model_times_equal(own, precomputed) && grids_alike(own->loads, precomputed->loads) &&
+         um_model_times_equal(own, tables) && grids_alike(own->loads, tables->loads) &&
          um_thermal_network_thermostats(model->body->network) == 0 &&
          um_thermal_network_alike(heat->model->body->network, model->body->network) &&
          x.infrared == y.infrared && x.solar == y.solar &&
-         um_model_view_factors_equal(own->view_factors, precomputed->view_factors) &&
+         um_model_view_factors_equal(own->view_factors, tables->view_factors) &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
          um_model_start_offset_equal(heat->model, model);
@@ -91,24 +90,24 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
                                     size_t nmove)
 {
   const struct um_model_thermal_solution *heat = w->heat;
-  const struct um_model_heat_like like = {heat->model, heat->precomputed, &heat->setting};
+  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->setting};
   for (size_t k = 0; k < nmove; k++) {
     bool serves;
-    UM_TRY(um_model_thermal_sensitivity_serves(w->context, heat, move[k].model, move[k].precomputed,
+    UM_TRY(um_model_thermal_sensitivity_serves(w->context, heat, move[k].model, move[k].tables,
                                                &serves));
     if (!serves)
       return um_core_fail(w->context, UM_ERR_INPUT,
                           "heat sensitivity %zu: the model has other nodes, heaters, times or "
                           "views; accepted: the base's, with other values",
                           k);
-    UM_TRY(um_model_heat_setting_moved(w->context, move[k].model, move[k].precomputed, &like,
+    UM_TRY(um_model_heat_setting_moved(w->context, move[k].model, move[k].tables, &like,
                                        &w->setting[k]));
     double *begin = w->begin + k * w->to->nnode;
     for (uint32_t i = 0; i < w->to->nnode; i++)
       begin[i] = um_thermal_network_temperature(move[k].model->body->network, i);
     UM_TRY(um_model_start_offset_add(w->context, move[k].model, begin));
     w->variant[k] = (struct um_thermal_variant){.network = move[k].model->body->network,
-                                                .loads = move[k].precomputed->loads,
+                                                .loads = move[k].tables->loads,
                                                 .options = &w->setting[k].options,
                                                 .step = move[k].step,
                                                 .start = begin};
@@ -119,7 +118,7 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
 static enum um_status follow(struct work *w)
 {
   const struct um_model_thermal_solution *heat = w->heat;
-  const struct um_model_precomputed *p = heat->precomputed;
+  const struct um_model_tables *p = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   const struct um_thermal_forcings forcings = {.variant = w->variant, .nvariant = w->to->nmove};
   struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
@@ -199,21 +198,21 @@ static enum um_status history_move(struct um_context *context,
 enum um_status um_model_thermal_solution_move(
     struct um_context *context, const struct um_model_thermal_solution *heat,
     const struct um_model_thermal_sensitivity *sensitivity, size_t which, double step,
-    const struct um_model *model, const struct um_model_precomputed *precomputed,
+    const struct um_model *model, const struct um_model_tables *tables,
     struct um_model_thermal_solution **out)
 {
   enum um_status status;
-  const struct um_model_heat_like like = {heat->model, heat->precomputed, &heat->setting};
+  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->setting};
   const double *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
   struct um_model_thermal_solution *moved = NULL;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *moved, &moved));
   *moved = (struct um_model_thermal_solution){
       .model = model,
-      .precomputed = precomputed,
+      .tables = tables,
       .periodic_distance = heat->periodic_distance,
       .run = {.before = heat->run.before, .from = heat->run.from}};
-  UM_CHECK(um_model_heat_setting_moved(context, model, precomputed, &like, &moved->setting));
+  UM_CHECK(um_model_heat_setting_moved(context, model, tables, &like, &moved->setting));
   moved->setting.options.tolerance_factor = heat->setting.options.tolerance_factor;
   UM_CHECK(um_core_allocate(context, 1, sizeof *moved->run.history, &moved->run.history));
   UM_CHECK(history_move(context, heat->run.history, s, step, moved->run.history));

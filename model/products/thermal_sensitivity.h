@@ -21,14 +21,13 @@
 enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
                                                    const struct um_model_thermal_solution *heat,
                                                    const struct um_model *model,
-                                                   const struct um_model_precomputed *precomputed,
-                                                   bool *out);
+                                                   const struct um_model_tables *tables, bool *out);
 
 /* One parameter moved by `step` [its unit], not 0: a hundredth of what is plausible or less, as
  * curvature over the step is in the answer. Borrowed for the call. */
 struct um_model_thermal_move {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   double step;
 };
 
@@ -53,7 +52,7 @@ void um_model_thermal_sensitivity_destroy(struct um_context *context,
 enum um_status um_model_thermal_solution_move(
     struct um_context *context, const struct um_model_thermal_solution *heat,
     const struct um_model_thermal_sensitivity *sensitivity, size_t which, double step,
-    const struct um_model *model, const struct um_model_precomputed *precomputed,
+    const struct um_model *model, const struct um_model_tables *tables,
     struct um_model_thermal_solution **out);
 
 #endif

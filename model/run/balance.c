@@ -54,26 +54,24 @@ done:
 }
 
 /* Row of the loads at the first observed instant, or the one before it. */
-static size_t first_row(const struct um_model_precomputed *precomputed)
+static size_t first_row(const struct um_model_tables *tables)
 {
-  const struct um_irradiation_loads *loads = precomputed->loads;
-  if (loads == precomputed->seen) return precomputed->load_row[0];
-  return loads->ntime > 1
-             ? um_core_interval_find(loads->t, loads->ntime, precomputed->sample[0].t_tai)
-             : 0;
+  const struct um_irradiation_loads *loads = tables->loads;
+  if (loads == tables->seen) return tables->load_row[0];
+  return loads->ntime > 1 ? um_core_interval_find(loads->t, loads->ntime, tables->sample[0].t_tai)
+                          : 0;
 }
 
 enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed,
-                                       double *temperature)
+                                       const struct um_model_tables *tables, double *temperature)
 {
   struct um_model_heat_setting setting = {0};
-  enum um_status status = um_model_heat_setting_make(context, model, precomputed, NULL, &setting);
+  enum um_status status = um_model_heat_setting_make(context, model, tables, NULL, &setting);
   double change = status == UM_OK ? INFINITY : 0.0;
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
-    UM_CHECK(um_thermal_solve_steady(context, model->body->network, precomputed->loads,
-                                     first_row(precomputed), &setting.options, NULL, temperature));
-    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature,
+    UM_CHECK(um_thermal_solve_steady(context, model->body->network, tables->loads,
+                                     first_row(tables), &setting.options, NULL, temperature));
+    UM_CHECK(um_model_heat_setting_renew(context, model, tables, temperature,
                                          UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
   }
 done:
@@ -82,28 +80,27 @@ done:
 }
 
 enum um_status um_model_balance_orbit(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed,
-                                      double *temperature)
+                                      const struct um_model_tables *tables, double *temperature)
 {
   enum um_status status;
   struct um_model_heat_setting setting = {0};
-  const struct um_irradiation_loads *loads = precomputed->loads;
+  const struct um_irradiation_loads *loads = tables->loads;
   const struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double *mean = NULL;
-  double from = precomputed->t_start, period = precomputed->period;
-  if (precomputed->points || isnan(period) || !(loads->t[loads->ntime - 1] >= from + period - 1e-3))
+  double from = tables->t_start, period = tables->period;
+  if (tables->points || isnan(period) || !(loads->t[loads->ntime - 1] >= from + period - 1e-3))
     return um_core_fail(context, UM_ERR_INPUT,
                         "analysis orbit_mean: no whole orbit is computed; accepted: an orbit, and "
                         "thermal.start: periodic or thermal.orbits_before: 1");
-  UM_CHECK(um_model_heat_setting_make(context, model, precomputed, NULL, &setting));
+  UM_CHECK(um_model_heat_setting_make(context, model, tables, NULL, &setting));
   UM_CHECK(um_core_allocate(context, n, sizeof *mean, &mean));
   for (uint32_t i = 0; i < n; i++) temperature[i] = um_thermal_network_temperature(network, i);
   UM_CHECK(average(context, network, &setting.options, loads, from, period, temperature, mean));
   double change = INFINITY;
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_solve_powered(context, network, mean, &setting.options, temperature));
-    UM_CHECK(um_model_heat_setting_renew(context, model, precomputed, temperature,
+    UM_CHECK(um_model_heat_setting_renew(context, model, tables, temperature,
                                          UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
   }
 done:

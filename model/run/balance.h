@@ -3,20 +3,18 @@
 #define UMBRA_MODEL_BALANCE_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 /* temperature[nnode] [K] under the loads of the first observation. Thermostats by their mean power,
  * joints as they stand then. Errors of um_thermal_solve_steady. */
 enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed,
-                                       double *temperature);
+                                       const struct um_model_tables *tables, double *temperature);
 /* The same under what every node absorbs and releases in the mean over the orbit with which the
- * geometry precomputation begins: H_i(T) + (1/P) int Q_i dt = 0. Because emission goes with T^4
+ * geometry tables begin: H_i(T) + (1/P) int Q_i dt = 0. Because emission goes with T^4
  * this is above the mean of the temperatures. What moving joints change of the exchange between
  * surfaces is left out: they stand as at the beginning of the orbit. UM_ERR_INPUT: no orbit to
  * average over. */
 enum um_status um_model_balance_orbit(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed,
-                                      double *temperature);
+                                      const struct um_model_tables *tables, double *temperature);
 
 #endif

@@ -33,15 +33,14 @@ static double background(const struct um_environment_clear_sky *sky,
 }
 
 /* Electrons per second and pixel of it. */
-static double glow(const struct um_model *model, const struct um_model_precomputed *precomputed,
-                   size_t k, const struct um_instrument_sensor *sensor,
-                   const struct um_instrument_bins *bins)
+static double glow(const struct um_model *model, const struct um_model_tables *tables, size_t k,
+                   const struct um_instrument_sensor *sensor, const struct um_instrument_bins *bins)
 {
-  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
+  double elevation = tables->look[k * tables->nsub + tables->nsub / 2].elevation;
   double sum = 0.0;
   struct um_model_sky scattered;
   if (isnan(sensor->pixel)) return 0.0;
-  um_model_sky(model, precomputed, k, bins->wavelength[0] - 0.5 * bins->width[0],
+  um_model_sky(model, tables, k, bins->wavelength[0] - 0.5 * bins->width[0],
                bins->wavelength[bins->n - 1] + 0.5 * bins->width[bins->n - 1], &scattered);
   for (size_t i = 0; i < bins->n; i++) {
     double half = 0.5 * bins->width[i], l = bins->wavelength[i];
@@ -53,38 +52,35 @@ static double glow(const struct um_model *model, const struct um_model_precomput
   return sum;
 }
 
-double um_model_pixel_background(const struct um_model *model,
-                                 const struct um_model_precomputed *precomputed,
+double um_model_pixel_background(const struct um_model *model, const struct um_model_tables *tables,
                                  const struct um_model_result *result, size_t k, size_t s)
 {
   const struct um_model_sensor *sensor = &model->sensor[s];
   struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
-  double glowing = glow(model, precomputed, k, &sensor->optics, &bins);
+  double glowing = glow(model, tables, k, &sensor->optics, &bins);
   return um_instrument_pixel_background(&sensor->optics, &bins, glowing, sensor->exposure);
 }
 
 struct um_instrument_exposure um_model_expose(const struct um_model *model,
-                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_tables *tables,
                                               const struct um_model_result *result, size_t k,
                                               size_t s)
 {
   const struct um_model_sensor *sensor = &model->sensor[s];
   struct um_instrument_bins bins = um_model_bins(result, sensor->band, sensor->efficiency);
-  if (precomputed->hidden[k])
-    return (struct um_instrument_exposure){NAN, NAN, NAN, false, NAN, NAN};
+  if (tables->hidden[k]) return (struct um_instrument_exposure){NAN, NAN, NAN, false, NAN, NAN};
   return um_instrument_expose(&sensor->optics, &bins, result->count_rate[k * result->nsensor + s],
                               result->irradiance[k * result->nband + sensor->band],
-                              glow(model, precomputed, k, &sensor->optics, &bins),
-                              sensor->exposure);
+                              glow(model, tables, k, &sensor->optics, &bins), sensor->exposure);
 }
 
-double um_model_scintillation(const struct um_model *model,
-                              const struct um_model_precomputed *precomputed, size_t k, size_t s)
+double um_model_scintillation(const struct um_model *model, const struct um_model_tables *tables,
+                              size_t k, size_t s)
 {
   const struct um_model_sensor *sensor = &model->sensor[s];
-  double elevation = precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation;
+  double elevation = tables->look[k * tables->nsub + tables->nsub / 2].elevation;
   double airmass = um_environment_airmass_toward(elevation);
-  if (isnan(airmass) || !(sensor->exposure > 0.0) || precomputed->hidden[k]) return NAN;
+  if (isnan(airmass) || !(sensor->exposure > 0.0) || tables->hidden[k]) return NAN;
   return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure, airmass,
                                      model->observer.height);
 }

@@ -69,10 +69,10 @@ static void release(struct um_context *context, struct spectrum *s)
 }
 
 /* Intensities and their weights at observation k. */
-static void take(const struct um_model *model, const struct um_model_precomputed *precomputed,
+static void take(const struct um_model *model, const struct um_model_tables *tables,
                  const struct um_model_result *r, size_t k, const struct spectrum *s)
 {
-  double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
+  double range = tables->sample[k * tables->nsub + tables->nsub / 2].range;
   for (size_t i = 0; i < s->nband; i++) {
     size_t at = k * r->nband + s->band[i];
     s->intensity[i] = r->measured_intensity[at];
@@ -82,11 +82,11 @@ static void take(const struct um_model *model, const struct um_model_precomputed
 }
 
 static enum um_status conclude(struct um_context *context, const struct um_model *model,
-                               const struct um_model_precomputed *precomputed,
+                               const struct um_model_tables *tables,
                                const struct um_model_result *r, size_t k, const struct spectrum *s,
                                struct um_model_grey_body *out)
 {
-  take(model, precomputed, r, k, s);
+  take(model, tables, r, k, s);
   out->temperature_error = out->area_error = NAN;
   UM_TRY(um_instrument_grey_body_try(context, s->bins, s->intensity, s->sigma, s->nband, 1,
                                      &out->one));
@@ -98,7 +98,7 @@ static enum um_status conclude(struct um_context *context, const struct um_model
 }
 
 enum um_status um_model_run_grey_bodies(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         struct um_model_result *result)
 {
   enum um_status status;
@@ -108,7 +108,7 @@ enum um_status um_model_run_grey_bodies(struct um_context *context, const struct
   UM_CHECK(um_core_allocate(context, result->nobs, sizeof *result->grey_body, &result->grey_body));
   for (size_t k = 0; k < result->nobs; k++) {
     UM_CHECK(um_core_stop_check(context, "temperatures were concluded from the light"));
-    UM_CHECK(conclude(context, model, precomputed, result, k, &s, &result->grey_body[k]));
+    UM_CHECK(conclude(context, model, tables, result, k, &s, &result->grey_body[k]));
   }
 done:
   release(context, &s);
@@ -116,7 +116,7 @@ done:
 }
 
 enum um_status um_model_grey_body_error(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         const struct um_model_result *result, size_t k,
                                         const double *error, double *temperature, double *area)
 {
@@ -125,7 +125,7 @@ enum um_status um_model_grey_body_error(struct um_context *context, const struct
   if (result->grey_body == NULL || result->grey_body[k].one.n == 0) return UM_OK;
   enum um_status status = make_spectrum(context, model, result, &s);
   if (status == UM_OK) {
-    take(model, precomputed, result, k, &s);
+    take(model, tables, result, k, &s);
     for (size_t i = 0; i < s.nband; i++) s.error[i] = error[s.band[i]];
     um_instrument_grey_body_error(&result->grey_body[k].one, s.bins, s.sigma, s.error, s.nband,
                                   temperature, area);

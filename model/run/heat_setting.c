@@ -35,23 +35,23 @@ bool um_model_exchange_alike(const struct um_model *a, const struct um_model *b)
 
 /* Is the radiation between surfaces that of a setting which is at hand? aging: of this model. */
 static bool exchanges_alike(const struct um_model_heat_like *like, const struct um_model *model,
-                            const struct um_model_precomputed *precomputed,
+                            const struct um_model_tables *tables,
                             const struct um_model_aging *aging)
 {
   if (like->setting->options.exchange == NULL) return false;
   return um_model_exchange_alike(like->model, model) &&
          um_model_aging_equal(like->setting->aging, aging) &&
          um_thermal_network_optics_equal(like->model->body->network, model->body->network) &&
-         um_model_view_factors_equal(like->precomputed->view_factors, precomputed->view_factors) &&
-         um_model_loads_equal(like->precomputed->loads, precomputed->loads);
+         um_model_view_factors_equal(like->tables->view_factors, tables->view_factors) &&
+         um_model_loads_equal(like->tables->loads, tables->loads);
 }
 
 /* Do surfaces reflect the same sunlight to each other as those of a setting that is at hand? */
 static bool sunlight_alike(const struct um_model_heat_like *like, const struct um_model *model,
-                           const struct um_model_precomputed *precomputed,
+                           const struct um_model_tables *tables,
                            const struct um_model_heat_setting *setting)
 {
-  return like->precomputed == precomputed &&
+  return like->tables == tables &&
          um_model_exchange_options(like->model).solar == um_model_exchange_options(model).solar &&
          um_model_mirrors_alike_in_sunlight(like->model, model) &&
          um_model_aging_equal(like->setting->aging, setting->aging) &&
@@ -60,35 +60,33 @@ static bool sunlight_alike(const struct um_model_heat_like *like, const struct u
 
 /* All but the exchange. */
 static enum um_status begin(struct um_context *context, const struct um_model *model,
-                            const struct um_model_precomputed *precomputed,
-                            struct um_model_heat_setting *out)
+                            const struct um_model_tables *tables, struct um_model_heat_setting *out)
 {
   *out = (struct um_model_heat_setting){.options = um_model_heat_options(model)};
-  if (!precomputed->points)
-    UM_TRY(um_model_aging_create(context, model, precomputed->loads, &out->aging));
+  if (!tables->points) UM_TRY(um_model_aging_create(context, model, tables->loads, &out->aging));
   if (out->aging != NULL) out->options.aging = &out->aging->table;
   return UM_OK;
 }
 
 static enum um_status exchange_make(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_tables *tables,
                                     const struct um_model_heat_like *like,
                                     struct um_model_heat_setting *out)
 {
   struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
-  if (precomputed->view_factors == NULL) return UM_OK;
+  if (tables->view_factors == NULL) return UM_OK;
   exchange.aging = out->options.aging;
   if (like != NULL) exchange.like = like->setting->options.exchange;
-  if (exchange.like != NULL) exchange.like_sunlight = sunlight_alike(like, model, precomputed, out);
+  if (exchange.like != NULL) exchange.like_sunlight = sunlight_alike(like, model, tables, out);
   struct um_model_lobes lobes = {0};
   enum um_status status = UM_OK;
-  if (precomputed->view_factors->mirrors != NULL) {
-    UM_CHECK(um_model_lobes_make(context, model, precomputed->view_factors->mirrors, &lobes));
+  if (tables->view_factors->mirrors != NULL) {
+    UM_CHECK(um_model_lobes_make(context, model, tables->view_factors->mirrors, &lobes));
     exchange.lobes = &lobes.lobes;
-    exchange.mirrored = precomputed->mirrored;
+    exchange.mirrored = tables->mirrored;
   }
-  UM_CHECK(um_thermal_exchange_create(context, model->body->network, precomputed->loads,
-                                      precomputed->view_factors, &exchange, &out->exchange));
+  UM_CHECK(um_thermal_exchange_create(context, model->body->network, tables->loads,
+                                      tables->view_factors, &exchange, &out->exchange));
   out->options.exchange = out->exchange;
 done:
   um_model_lobes_clear(context, &lobes);
@@ -96,32 +94,32 @@ done:
 }
 
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
-                                          const struct um_model_precomputed *precomputed,
+                                          const struct um_model_tables *tables,
                                           const struct um_model_heat_like *like,
                                           struct um_model_heat_setting *out)
 {
-  UM_TRY(begin(context, model, precomputed, out));
-  return exchange_make(context, model, precomputed, like, out);
+  UM_TRY(begin(context, model, tables, out));
+  return exchange_make(context, model, tables, like, out);
 }
 
 enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_tables *tables,
                                            const struct um_model_heat_like *like,
                                            struct um_model_heat_setting *out)
 {
-  UM_TRY(begin(context, model, precomputed, out));
-  if (!exchanges_alike(like, model, precomputed, out->aging))
-    return exchange_make(context, model, precomputed, like, out);
+  UM_TRY(begin(context, model, tables, out));
+  if (!exchanges_alike(like, model, tables, out->aging))
+    return exchange_make(context, model, tables, like, out);
   out->options.exchange = like->setting->options.exchange;
   return UM_OK;
 }
 
 enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_tables *tables,
                                            const double *temperature, double tolerance, int round,
                                            struct um_model_heat_setting *setting, double *change)
 {
-  UM_TRY(um_thermal_exchange_renew(context, model->body->network, precomputed->view_factors,
+  UM_TRY(um_thermal_exchange_renew(context, model->body->network, tables->view_factors,
                                    setting->options.aging, temperature, tolerance,
                                    setting->exchange, change));
   if (*change <= tolerance || round < ROUNDS) return UM_OK;

@@ -5,7 +5,7 @@
 
 #include "model/build/aging_group.h"
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "thermal/exchange/exchange.h"
 #include "thermal/network/solve_options.h"
 
@@ -18,20 +18,20 @@ struct um_model_heat_setting {
 /* A setting that is at hand, and what it is of. */
 struct um_model_heat_like {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   const struct um_model_heat_setting *setting;
 };
 /* With the optics that the model has. like: of a model with the same surfaces, whose temperatures
- * the exchange begins with, or NULL. Model and geometry precomputation outlive it; cleared by the
+ * the exchange begins with, or NULL. Model and geometry tables outlive it; cleared by the
  * caller, after a failure too. */
 enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
-                                          const struct um_model_precomputed *precomputed,
+                                          const struct um_model_tables *tables,
                                           const struct um_model_heat_like *like,
                                           struct um_model_heat_setting *out);
 /* The same for a model that was moved from that of `like`, which outlives it: its exchange where it
  * would be the same, else one at the same temperatures, so that what differs is the move's. */
 enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_tables *tables,
                                            const struct um_model_heat_like *like,
                                            struct um_model_heat_setting *out);
 /* Emittances of an exchange that are the same [1]: a surface that receives nothing else is then
@@ -41,7 +41,7 @@ enum um_status um_model_heat_setting_moved(struct um_context *context, const str
  * emittance, largest [1]; above tolerance [1] the exchange is another, and what was solved with it
  * is to be solved again. round: how often that was asked; UM_ERR_NUMERIC beyond a few. */
 enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_precomputed *precomputed,
+                                           const struct um_model_tables *tables,
                                            const double *temperature, double tolerance, int round,
                                            struct um_model_heat_setting *setting, double *change);
 void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting);

@@ -4,14 +4,14 @@
 #include "optics/paths/photon_maps.h"
 
 enum um_status um_model_precompute_photons(struct um_context *context, const struct um_model *model,
-                                           struct um_model_precomputed *precomputed)
+                                           struct um_model_tables *tables)
 {
   struct um_optics_scene scene = {0};
-  um_optics_photon_maps_destroy(context, &precomputed->photons);
-  if (precomputed->view == NULL) return UM_OK;
-  UM_TRY(um_model_scene_make(context, model, precomputed, NULL, &scene));
-  enum um_status status = um_optics_photon_maps_create(context, &scene, model->band, model->nband,
-                                                       &precomputed->photons);
+  um_optics_photon_maps_destroy(context, &tables->photons);
+  if (tables->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, tables, NULL, &scene));
+  enum um_status status =
+      um_optics_photon_maps_create(context, &scene, model->band, model->nband, &tables->photons);
   um_model_scene_release(context, &scene);
   return status;
 }

@@ -18,7 +18,7 @@ static void consider(struct leaving *worst, const struct um_materials_bulk *bulk
 }
 
 static enum um_status say(struct um_context *context, const struct um_model *model,
-                          const struct um_model_precomputed *precomputed,
+                          const struct um_model_tables *tables,
                           const struct um_model_result *result, uint32_t material,
                           const struct leaving *at)
 {
@@ -29,7 +29,7 @@ static enum um_status say(struct um_context *context, const struct um_model *mod
   const char *group = um_geometry_group(model->geometry, surface->group)->name;
   const char *name = um_materials_name(model->material[material]);
   double t = result->surface_temperature[at->observation * result->nsurface + at->surface];
-  double after = precomputed->t_obs[at->observation] - precomputed->t_obs[0];
+  double after = tables->t_obs[at->observation] - tables->t_obs[0];
   if (model->scenario->thermal->outside_range == UM_RANGE_ERROR)
     return um_core_fail(context, UM_ERR_NUMERIC,
                         "part %s, group %s is at %.4g K %.3f s after the first observation: its "
@@ -45,7 +45,7 @@ static enum um_status say(struct um_context *context, const struct um_model *mod
 
 enum um_status um_model_check_record_ranges(struct um_context *context,
                                             const struct um_model *model,
-                                            const struct um_model_precomputed *precomputed,
+                                            const struct um_model_tables *tables,
                                             const struct um_model_result *result)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
@@ -57,7 +57,7 @@ enum um_status um_model_check_record_ranges(struct um_context *context,
       for (size_t s = 0; s < mesh->nsurface; s++)
         if (mesh->surface[s].material == m)
           consider(&worst, &bulk, result->surface_temperature[k * result->nsurface + s], s, k);
-    if (worst.beyond > 0.0) UM_TRY(say(context, model, precomputed, result, m, &worst));
+    if (worst.beyond > 0.0) UM_TRY(say(context, model, tables, result, m, &worst));
   }
   return UM_OK;
 }

@@ -1,4 +1,4 @@
-/* One run in both bands on a precomputed geometry. */
+/* One run in both bands on a geometry traced before. */
 #include "model/run/run.h"
 
 #include <math.h>
@@ -11,19 +11,18 @@
 
 /* Surface and node temperatures of the observations, means over the exposure. */
 static enum um_status keep_temperatures(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         const struct um_model_heat_run *run,
                                         struct um_model_result *r)
 {
   r->nsurface = um_geometry_mesh(model->geometry)->nsurface;
   r->nnode = run->history->nnode;
-  UM_TRY(um_core_allocate(context, precomputed->nobs * r->nsurface, sizeof(double),
+  UM_TRY(um_core_allocate(context, tables->nobs * r->nsurface, sizeof(double),
                           &r->surface_temperature));
-  UM_TRY(um_core_allocate(context, precomputed->nobs * r->nnode, sizeof(double),
-                          &r->node_temperature));
-  double w = 1.0 / (double)precomputed->nsub;
-  for (size_t i = 0; i < precomputed->nobs * precomputed->nsub; i++) {
-    size_t k = i / precomputed->nsub;
+  UM_TRY(um_core_allocate(context, tables->nobs * r->nnode, sizeof(double), &r->node_temperature));
+  double w = 1.0 / (double)tables->nsub;
+  for (size_t i = 0; i < tables->nobs * tables->nsub; i++) {
+    size_t k = i / tables->nsub;
     const double *node = run->history->temperature + (i + (run->before ? 1 : 0)) * r->nnode;
     for (size_t s = 0; s < r->nsurface; s++)
       r->surface_temperature[k * r->nsurface + s] += w * run->surface[i * r->nsurface + s];
@@ -34,16 +33,15 @@ static enum um_status keep_temperatures(struct um_context *context, const struct
 
 /* More points where the scenario asks for a relative error. */
 static enum um_status adapt(struct um_context *context, const struct um_model *model,
-                            const struct um_model_heat_run *run,
-                            struct um_model_precomputed *precomputed)
+                            const struct um_model_heat_run *run, struct um_model_tables *tables)
 {
   double asked = model->scenario->optics->relative_error;
   struct um_optics_scene scene = {0};
   struct um_optics_adaptation did;
-  if (isnan(asked) || precomputed->view == NULL) return UM_OK;
-  UM_TRY(um_model_scene_make(context, model, precomputed, run->surface, &scene));
+  if (isnan(asked) || tables->view == NULL) return UM_OK;
+  UM_TRY(um_model_scene_make(context, model, tables, run->surface, &scene));
   enum um_status status =
-      um_optics_adapt(context, &scene, model->band, model->nband, asked, precomputed->view, &did);
+      um_optics_adapt(context, &scene, model->band, model->nband, asked, tables->view, &did);
   um_model_scene_release(context, &scene);
   if (status != UM_OK) return status;
   um_core_log(
@@ -56,57 +54,57 @@ static enum um_status adapt(struct um_context *context, const struct um_model *m
                 "optics.relative_error %g asks for more than %d points per facet, or 64 times "
                 "optics.interreflection_samples, at %zu of %zu instants, where the error is up to "
                 "%.2g",
-                asked, UM_OPTICS_SAMPLES_MAX, did.missed, precomputed->view->ntime, did.largest);
+                asked, UM_OPTICS_SAMPLES_MAX, did.missed, tables->view->ntime, did.largest);
   return UM_OK;
 }
 
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
-                            struct um_model_precomputed *precomputed, struct um_model_result **out)
+                            struct um_model_tables *tables, struct um_model_result **out)
 {
   struct um_model_thermal_solution *heat = NULL;
   *out = NULL;
-  UM_TRY(um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat));
-  enum um_status status = adapt(context, model, &heat->run, precomputed);
-  if (status == UM_OK) status = um_model_run_with(context, model, precomputed, heat, out);
+  UM_TRY(um_model_thermal_solution_create(context, model, tables, NULL, 1.0, &heat));
+  enum um_status status = adapt(context, model, &heat->run, tables);
+  if (status == UM_OK) status = um_model_run_with(context, model, tables, heat, out);
   if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
-    status = um_model_check_record_ranges(context, model, precomputed, *out);
+    status = um_model_check_record_ranges(context, model, tables, *out);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }
 
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
-                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_tables *tables,
                                  const struct um_model_thermal_solution *heat,
                                  struct um_model_result **out)
 {
-  UM_TRY(um_model_run_observed(context, model, precomputed, heat, out));
-  enum um_status status = um_model_run_heat(context, model, precomputed, heat, *out);
+  UM_TRY(um_model_run_observed(context, model, tables, heat, out));
+  enum um_status status = um_model_run_heat(context, model, tables, heat, *out);
   if (status != UM_OK) um_model_result_destroy(context, out);
   return status;
 }
 
 /* All but the light and what is made of it. */
 static enum um_status run_dark(struct um_context *context, const struct um_model *model,
-                               const struct um_model_precomputed *precomputed,
+                               const struct um_model_tables *tables,
                                const struct um_model_thermal_solution *heat,
                                struct um_model_result *result)
 {
   const struct um_model_heat_run *run = &heat->run;
-  result->nobs = precomputed->nobs;
+  result->nobs = tables->nobs;
   result->audit = run->history->audit;
   result->audit_error = run->history->audit_error;
   result->periodic_distance = heat->periodic_distance;
   result->steps = run->history->steps;
   result->rhs_evaluations = run->history->rhs_evaluations;
   result->jacobians = run->history->jacobians;
-  UM_TRY(keep_temperatures(context, model, precomputed, run, result));
+  UM_TRY(keep_temperatures(context, model, tables, run, result));
   if (model->scenario->thermal->outside_range == UM_RANGE_ERROR)
-    UM_TRY(um_model_check_record_ranges(context, model, precomputed, result));
-  return um_model_run_histories(context, model, precomputed, heat, result);
+    UM_TRY(um_model_check_record_ranges(context, model, tables, result));
+  return um_model_run_histories(context, model, tables, heat, result);
 }
 
 enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_model_thermal_solution *heat,
                                    const struct um_optics_lightcurve *light,
                                    struct um_model_result **out)
@@ -114,15 +112,15 @@ enum um_status um_model_run_behind(struct um_context *context, const struct um_m
   struct um_model_result *result = NULL;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *result, &result));
-  enum um_status status = run_dark(context, model, precomputed, heat, result);
-  if (status == UM_OK) status = um_model_run_optics(context, model, precomputed, light, result);
+  enum um_status status = run_dark(context, model, tables, heat, result);
+  if (status == UM_OK) status = um_model_run_optics(context, model, tables, light, result);
   if (status != UM_OK) um_model_result_destroy(context, &result);
   *out = result;
   return status;
 }
 
 enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_tables *tables,
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out)
 {
@@ -131,9 +129,9 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
   struct um_model_result *result = NULL;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *result, &result));
-  UM_CHECK(run_dark(context, model, precomputed, heat, result));
-  UM_CHECK(um_model_run_light(context, model, precomputed, heat, &light));
-  UM_CHECK(um_model_run_optics(context, model, precomputed, light, result));
+  UM_CHECK(run_dark(context, model, tables, heat, result));
+  UM_CHECK(um_model_run_light(context, model, tables, heat, &light));
+  UM_CHECK(um_model_run_optics(context, model, tables, light, result));
 done:
   um_optics_lightcurve_destroy(context, &light);
   if (status != UM_OK) um_model_result_destroy(context, &result);
@@ -142,13 +140,13 @@ done:
 }
 
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_model_thermal_solution *heat,
                                    struct um_model_result **out)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
-  (*out)->nobs = precomputed->nobs;
-  enum um_status status = um_model_run_histories(context, model, precomputed, heat, *out);
+  (*out)->nobs = tables->nobs;
+  enum um_status status = um_model_run_histories(context, model, tables, heat, *out);
   if (status != UM_OK) um_model_result_destroy(context, out);
   return status;
 }

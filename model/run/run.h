@@ -7,34 +7,34 @@
 #include "model/run/run_light.h"
 #include "model/run/thermal_solution.h"
 
-/* Run on a geometry precomputation made from the same model. Where the scenario asks for a relative
+/* Run on geometry tables made from the same model. Where the scenario asks for a relative
  * error (optics.relative_error), its lines of sight are traced again with the points that this
  * takes, and stay so. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
-                            struct um_model_precomputed *precomputed, struct um_model_result **out);
+                            struct um_model_tables *tables, struct um_model_result **out);
 
 /* Run with heat that matches. um_model_run is this with heat of its own and a factor on tolerances
  * of 1. */
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,
-                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_tables *tables,
                                  const struct um_model_thermal_solution *heat,
                                  struct um_model_result **out);
 /* The same for who asks for what is observed alone, light and temperatures: the result has no heat
  * of places (heat is NULL). */
 enum um_status um_model_run_observed(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
+                                     const struct um_model_tables *tables,
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out);
 
 /* um_model_run_observed of a model whose light is at hand: air, instrument and temperatures. */
 enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_model_thermal_solution *heat,
                                    const struct um_optics_lightcurve *light,
                                    struct um_model_result **out);
 /* Temperatures of places alone: the result has no light and no heat. */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_model_thermal_solution *heat,
                                    struct um_model_result **out);
 

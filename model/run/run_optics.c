@@ -1,4 +1,4 @@
-/* Light curves of the geometry precomputation: intensities from the renderer, irradiance at the
+/* Light curves of the geometry tables: intensities from the renderer, irradiance at the
  * aperture, magnitudes without an atmosphere. */
 #include <math.h>
 #include <string.h>
@@ -11,41 +11,41 @@
 #include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
 
-int um_model_paths(const struct um_model *model, const struct um_model_precomputed *precomputed)
+int um_model_paths(const struct um_model *model, const struct um_model_tables *tables)
 {
-  int stated = precomputed->sampling.paths;
+  int stated = tables->sampling.paths;
   if (stated == 0) stated = model->scenario->optics->interreflection_samples;
   if (!model->environment.inter_reflection_on) return 0;
   return stated > 0 ? stated : UM_SCENARIO_PATHS; /* 0: switched on by hand */
 }
 
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
-                                   const double *surface, struct um_optics_scene *out)
+                                   const struct um_model_tables *tables, const double *surface,
+                                   struct um_optics_scene *out)
 {
-  size_t n = precomputed->nobs * precomputed->nsub, nsurface = precomputed->seen->nsurface;
-  const float *brightness_from = precomputed->seen->brightness;
+  size_t n = tables->nobs * tables->nsub, nsurface = tables->seen->nsurface;
+  const float *brightness_from = tables->seen->brightness;
   float *albedo = NULL, *view_factor = NULL, *brightness = NULL;
   struct um_materials_adjustment *adjustment = NULL;
   enum um_status status;
-  UM_CHECK(um_model_materials_over(context, model, precomputed->sample, n, &adjustment));
+  UM_CHECK(um_model_materials_over(context, model, tables->sample, n, &adjustment));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *albedo, &albedo));
   UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *view_factor, &view_factor));
   if (brightness_from != NULL)
     UM_CHECK(um_core_allocate(context, n * nsurface, sizeof *brightness, &brightness));
   for (size_t i = 0; i < n; i++) {
-    size_t row = precomputed->load_row[i] * nsurface;
+    size_t row = tables->load_row[i] * nsurface;
     if (brightness != NULL)
       memcpy(brightness + i * nsurface, brightness_from + row, nsurface * sizeof *brightness);
-    memcpy(albedo + i * nsurface, precomputed->seen->albedo + row, nsurface * sizeof *albedo);
-    memcpy(view_factor + i * nsurface, precomputed->seen->view_factor + row,
+    memcpy(albedo + i * nsurface, tables->seen->albedo + row, nsurface * sizeof *albedo);
+    memcpy(view_factor + i * nsurface, tables->seen->view_factor + row,
            nsurface * sizeof *view_factor);
   }
   *out = (struct um_optics_scene){.geometry = model->geometry,
                                   .creases = model->creases,
                                   .environment = &model->environment,
-                                  .samples = precomputed->sample,
-                                  .view = precomputed->view,
+                                  .samples = tables->sample,
+                                  .view = tables->view,
                                   .material = model->material,
                                   .adjustment = adjustment != NULL ? adjustment : model->adjustment,
                                   .ages = adjustment != NULL,
@@ -53,8 +53,8 @@ enum um_status um_model_scene_make(struct um_context *context, const struct um_m
                                   .albedo = albedo,
                                   .view_factor = view_factor,
                                   .brightness = brightness,
-                                  .interreflection_samples = um_model_paths(model, precomputed),
-                                  .photons = precomputed->photons};
+                                  .interreflection_samples = um_model_paths(model, tables),
+                                  .photons = tables->photons};
   return UM_OK;
 done:
   UM_FREE(context, adjustment, albedo, view_factor, brightness);
@@ -70,11 +70,11 @@ void um_model_scene_release(struct um_context *context, struct um_optics_scene *
 }
 
 static enum um_status result_arrays(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_tables *tables,
                                     const struct um_optics_lightcurve *curve,
                                     struct um_model_result *r)
 {
-  size_t n = precomputed->nobs;
+  size_t n = tables->nobs;
   r->nband = curve->nband;
   r->nsensor = model->nsensor;
   r->nbin = curve->nbin;
@@ -110,10 +110,10 @@ struct spectral_irradiance {
 
 /* Numbers of one observation: magnitudes of what is above the atmosphere, the rest of what comes
  * through. */
-static void photometry(const struct um_model *model, const struct um_model_precomputed *precomputed,
-                       size_t k, const struct spectral_irradiance *light, struct um_model_result *r)
+static void photometry(const struct um_model *model, const struct um_model_tables *tables, size_t k,
+                       const struct spectral_irradiance *light, struct um_model_result *r)
 {
-  bool hidden = precomputed->hidden[k];
+  bool hidden = tables->hidden[k];
   for (size_t b = 0; b < r->nband; b++) {
     struct um_instrument_bins bins = um_model_bins(r, b, NULL);
     size_t first = (size_t)(bins.wavelength - r->wavelength), at = k * r->nband + b;
@@ -147,22 +147,22 @@ static double transmission(const struct um_environment_clear_sky *sky,
 /* Means over the exposure; E = I / R^2 instant by instant. Standard errors of the instants share
  * their sample points, so they are averaged, not reduced. */
 static enum um_status average(struct um_context *context, const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
+                              const struct um_model_tables *tables,
                               const struct um_optics_lightcurve *curve, struct um_model_result *r,
                               const struct spectral_irradiance *light)
 {
   size_t per_time = r->nband * r->nmaterial * UM_MECHANISM_COUNT;
   size_t per_spectrum = r->nbin * UM_MECHANISM_COUNT;
-  double w = 1.0 / (double)precomputed->nsub;
+  double w = 1.0 / (double)tables->nsub;
   const struct um_environment_clear_sky *sky = &model->environment.sky;
-  for (size_t k = 0; k < precomputed->nobs; k++) {
+  for (size_t k = 0; k < tables->nobs; k++) {
     UM_TRY(um_core_stop_check(context, "light was averaged"));
     memset(light->exo_atmospheric, 0, r->nbin * sizeof(double));
     memset(light->at_aperture, 0, r->nbin * sizeof(double));
-    for (size_t i = k * precomputed->nsub; i < (k + 1) * precomputed->nsub; i++) {
-      double range = precomputed->sample[i].range;
+    for (size_t i = k * tables->nsub; i < (k + 1) * tables->nsub; i++) {
+      double range = tables->sample[i].range;
       double airmass =
-          sky->on ? um_environment_airmass_toward(precomputed->look[i].elevation) : (double)NAN;
+          sky->on ? um_environment_airmass_toward(tables->look[i].elevation) : (double)NAN;
       for (size_t j = 0; j < per_time; j++)
         r->intensity[k * per_time + j] += w * curve->intensity[i * per_time + j];
       for (size_t bin = 0; bin < r->nbin; bin++) {
@@ -182,7 +182,7 @@ static enum um_status average(struct um_context *context, const struct um_model 
         r->irradiance_error[k * r->nband + b] += error / (range * range);
       }
     }
-    photometry(model, precomputed, k, light, r);
+    photometry(model, tables, k, light, r);
   }
   return UM_OK;
 }
@@ -215,12 +215,12 @@ static double sky_of(const struct um_model *model, const struct reading *reading
  * what the magnitude is made of. Switches stand for the detector and act on what the others leave.
  */
 static enum um_status transform(struct um_context *context, const struct um_model *model,
-                                const struct um_model_precomputed *precomputed,
-                                const struct reading *reading, double *value)
+                                const struct um_model_tables *tables, const struct reading *reading,
+                                double *value)
 {
-  size_t middle = reading->k * precomputed->nsub + precomputed->nsub / 2;
-  double elevation = precomputed->look[middle].elevation;
-  struct um_effect_observation o = {.t_tai = precomputed->t_obs[reading->k],
+  size_t middle = reading->k * tables->nsub + tables->nsub / 2;
+  double elevation = tables->look[middle].elevation;
+  struct um_effect_observation o = {.t_tai = tables->t_obs[reading->k],
                                     .elevation = elevation,
                                     .airmass = um_environment_airmass_toward(elevation),
                                     .band = model->band[reading->b].name,
@@ -250,14 +250,14 @@ enum um_status um_model_observe(struct um_context *context, const struct um_mode
 
 /* A radiant intensity is measured as irradiance, without an atmosphere, and taken back by R^2. */
 static enum um_status observe_intensity(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_precomputed *precomputed,
+                                        const struct um_model_tables *tables,
                                         const struct reading *reading, struct um_model_result *r)
 {
   size_t k = reading->k, b = reading->b;
-  double range = precomputed->sample[k * precomputed->nsub + precomputed->nsub / 2].range;
+  double range = tables->sample[k * tables->nsub + tables->nsub / 2].range;
   double intensity = um_model_result_intensity(r, k, b, -1), e = intensity / (range * range);
   double after = e;
-  UM_TRY(transform(context, model, precomputed, reading, &after));
+  UM_TRY(transform(context, model, tables, reading, &after));
   if (after != e) intensity = after * range * range;
   r->measured_intensity[k * r->nband + b] = intensity;
   return UM_OK;
@@ -266,13 +266,13 @@ static enum um_status observe_intensity(struct um_context *context, const struct
 /* How far the transform moves a value that moves by `error`: right for what is added, scaled or
  * bent (dead time) by effects. */
 static enum um_status transform_error(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_tables *tables,
                                       const struct reading *reading, double before, double after,
                                       double *error)
 {
   double moved = before + *error;
   if (!(*error > 0.0)) return UM_OK;
-  UM_TRY(transform(context, model, precomputed, reading, &moved));
+  UM_TRY(transform(context, model, tables, reading, &moved));
   *error = fabs(moved - after);
   return UM_OK;
 }
@@ -281,8 +281,8 @@ static enum um_status transform_error(struct um_context *context, const struct u
  * as irradiance, E_0 10^(-0.4 m), and back, so that what is added has no colour of its own. Errors
  * go the same way; that of the light has the light's own colour. */
 static enum um_status observe(struct um_context *context, const struct um_model *model,
-                              const struct um_model_precomputed *precomputed,
-                              struct um_model_result *r, const double *flat, const double *sky)
+                              const struct um_model_tables *tables, struct um_model_result *r,
+                              const double *flat, const double *sky)
 {
   for (size_t b = 0; b < r->nband; b++) {
     double zero = irradiance_of_zero(r, b, flat);
@@ -293,13 +293,13 @@ static enum um_status observe(struct um_context *context, const struct um_model 
       double bare = r->irradiance[at], exo_error = *error * (bare > 0.0 ? before / bare : 1.0);
       struct reading here = {k, b, zero, false, NULL, NAN, NAN, sky}, above = here;
       above.exo_atmospheric = true;
-      UM_TRY(transform(context, model, precomputed, &here, &r->irradiance[at]));
-      UM_TRY(transform_error(context, model, precomputed, &here, bare, r->irradiance[at], error));
-      UM_TRY(transform(context, model, precomputed, &above, &after));
-      UM_TRY(transform_error(context, model, precomputed, &above, before, after, &exo_error));
+      UM_TRY(transform(context, model, tables, &here, &r->irradiance[at]));
+      UM_TRY(transform_error(context, model, tables, &here, bare, r->irradiance[at], error));
+      UM_TRY(transform(context, model, tables, &above, &after));
+      UM_TRY(transform_error(context, model, tables, &above, before, after, &exo_error));
       r->magnitude_error[at] = exo_error / zero;
       if (after != before) *magnitude = -2.5 * log10(after / zero);
-      UM_TRY(observe_intensity(context, model, precomputed, &above, r));
+      UM_TRY(observe_intensity(context, model, tables, &above, r));
     }
   }
   return UM_OK;
@@ -308,9 +308,9 @@ static enum um_status observe(struct um_context *context, const struct um_model 
 /* Counts likewise, as the irradiance that would be counted so if it were the same at every
  * wavelength. bare_error: relative, of the irradiance before effects [nobs][nband]. */
 static enum um_status observe_counts(struct um_context *context, const struct um_model *model,
-                                     const struct um_model_precomputed *precomputed,
-                                     const double *bare_error, const double *flat,
-                                     const double *sky, struct um_model_result *r)
+                                     const struct um_model_tables *tables, const double *bare_error,
+                                     const double *flat, const double *sky,
+                                     struct um_model_result *r)
 {
   for (size_t s = 0; s < r->nsensor; s++) {
     const struct um_model_sensor *sensor = &model->sensor[s];
@@ -331,9 +331,9 @@ static enum um_status observe_counts(struct um_context *context, const struct um
       double error = bare_error[k * r->nband + sensor->band] * before;
       reading.k = k;
       if (isfinite(sensor->optics.saturation)) /* the one that asks */
-        reading.background = um_model_pixel_background(model, precomputed, r, k, s);
-      UM_TRY(transform(context, model, precomputed, &reading, &after));
-      UM_TRY(transform_error(context, model, precomputed, &reading, before, after, &error));
+        reading.background = um_model_pixel_background(model, tables, r, k, s);
+      UM_TRY(transform(context, model, tables, &reading, &after));
+      UM_TRY(transform_error(context, model, tables, &reading, before, after, &error));
       if (after != before) *rate = after * unit;
       r->count_rate_error[k * r->nsensor + s] = error * unit;
     }
@@ -343,38 +343,38 @@ static enum um_status observe_counts(struct um_context *context, const struct um
 
 /* Light after effects; scratch: [nbin]. */
 static enum um_status observe_all(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed,
-                                  struct um_model_result *r, double *scratch)
+                                  const struct um_model_tables *tables, struct um_model_result *r,
+                                  double *scratch)
 {
   enum um_status status;
   double *bare_error = NULL, *sky = NULL;
   size_t n = r->nobs * r->nband;
   UM_CHECK(um_core_allocate(context, n, sizeof *bare_error, &bare_error));
-  UM_CHECK(um_model_sky_bands(context, model, precomputed, r, &sky));
+  UM_CHECK(um_model_sky_bands(context, model, tables, r, &sky));
   for (size_t i = 0; i < n; i++)
     bare_error[i] = r->irradiance[i] > 0.0 ? r->irradiance_error[i] / r->irradiance[i] : 0.0;
   for (size_t i = 0; i < r->nbin; i++) scratch[i] = 1.0;
-  UM_CHECK(observe(context, model, precomputed, r, scratch, sky));
-  UM_CHECK(observe_counts(context, model, precomputed, bare_error, scratch, sky, r));
+  UM_CHECK(observe(context, model, tables, r, scratch, sky));
+  UM_CHECK(observe_counts(context, model, tables, bare_error, scratch, sky, r));
 done:
   UM_FREE(context, bare_error, sky);
   return status;
 }
 
 enum um_status um_model_run_optics(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_precomputed *precomputed,
+                                   const struct um_model_tables *tables,
                                    const struct um_optics_lightcurve *curve,
                                    struct um_model_result *result)
 {
   enum um_status status;
   struct spectral_irradiance light = {NULL, NULL};
   if (curve == NULL) return UM_OK;
-  UM_CHECK(result_arrays(context, model, precomputed, curve, result));
+  UM_CHECK(result_arrays(context, model, tables, curve, result));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.exo_atmospheric));
   UM_CHECK(um_core_allocate(context, curve->nbin, sizeof(double), &light.at_aperture));
-  UM_CHECK(average(context, model, precomputed, curve, result, &light));
-  UM_CHECK(observe_all(context, model, precomputed, result, light.exo_atmospheric));
-  UM_CHECK(um_model_run_grey_bodies(context, model, precomputed, result));
+  UM_CHECK(average(context, model, tables, curve, result, &light));
+  UM_CHECK(observe_all(context, model, tables, result, light.exo_atmospheric));
+  UM_CHECK(um_model_run_grey_bodies(context, model, tables, result));
 done:
   UM_FREE(context, light.exo_atmospheric, light.at_aperture);
   return status;

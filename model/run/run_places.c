@@ -5,20 +5,16 @@
 
 #include "model/run/parts_impl.h"
 
-static size_t instants(const struct um_model_precomputed *precomputed)
-{
-  return precomputed->nobs * precomputed->nsub;
-}
+static size_t instants(const struct um_model_tables *tables) { return tables->nobs * tables->nsub; }
 
-static enum um_status history_new(struct um_context *context,
-                                  const struct um_model_precomputed *precomputed,
+static enum um_status history_new(struct um_context *context, const struct um_model_tables *tables,
                                   const char *prefix, const char *name,
                                   struct um_model_place_history *out)
 {
   UM_TRY(um_core_asprintf(context, &out->name, "%s%s", prefix, name));
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &out->mean));
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &out->minimum));
-  UM_TRY(um_core_allocate(context, precomputed->nobs, sizeof(double), &out->maximum));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &out->mean));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &out->minimum));
+  UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &out->maximum));
   out->drift = NAN;
   return UM_OK;
 }
@@ -32,12 +28,12 @@ static void take(double t, double weight, double *mean, double *low, double *hig
 }
 
 /* Mean over the exposure of each instant's mean; extremes over all instants. */
-static void store(struct um_model_place_history *to, const struct um_model_precomputed *precomputed,
+static void store(struct um_model_place_history *to, const struct um_model_tables *tables,
                   size_t instant, double mean, double low, double high)
 {
-  size_t k = instant / precomputed->nsub;
-  bool first = instant % precomputed->nsub == 0;
-  to->mean[k] += mean / (double)precomputed->nsub;
+  size_t k = instant / tables->nsub;
+  bool first = instant % tables->nsub == 0;
+  to->mean[k] += mean / (double)tables->nsub;
   to->minimum[k] = first ? low : fmin(to->minimum[k], low);
   to->maximum[k] = first ? high : fmax(to->maximum[k], high);
 }
@@ -50,21 +46,21 @@ static double place_mean(const struct um_thermal_place *place, const double *tem
 }
 
 static enum um_status place_history(struct um_context *context,
-                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_tables *tables,
                                     const struct um_model_heat_run *run,
                                     const struct um_thermal_place *place,
                                     struct um_model_place_history *out)
 {
   const struct um_thermal_history *h = run->history;
   size_t shift = run->before ? 1 : 0;
-  UM_TRY(history_new(context, precomputed, "", place->name, out));
-  for (size_t i = 0; i < instants(precomputed); i++) {
+  UM_TRY(history_new(context, tables, "", place->name, out));
+  for (size_t i = 0; i < instants(tables); i++) {
     const double *t = h->temperature + (i + shift) * h->nnode;
     if (i % 64 == 0) UM_TRY(um_core_stop_check(context, "temperatures were averaged"));
     double mean = 0.0, low = INFINITY, high = -INFINITY;
     for (size_t j = 0; j < place->nnode; j++)
       take(t[place->node[j]], place->weight[j], &mean, &low, &high);
-    store(out, precomputed, i, mean, low, high);
+    store(out, tables, i, mean, low, high);
   }
   if (run->before)
     out->drift = place_mean(place, h->temperature + h->nnode) - place_mean(place, h->temperature);
@@ -72,14 +68,14 @@ static enum um_status place_history(struct um_context *context,
 }
 
 static enum um_status material_history(struct um_context *context, const struct um_model *model,
-                                       const struct um_model_precomputed *precomputed,
+                                       const struct um_model_tables *tables,
                                        const struct um_model_heat_run *run, uint32_t material,
                                        struct um_model_place_history *out)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  UM_TRY(history_new(context, precomputed,
+  UM_TRY(history_new(context, tables,
                      "material:", um_geometry_material_name(model->geometry, material), out));
-  for (size_t i = 0; i < instants(precomputed); i++) {
+  for (size_t i = 0; i < instants(tables); i++) {
     const double *t = run->surface + i * mesh->nsurface;
     if (i % 16 == 0) UM_TRY(um_core_stop_check(context, "temperatures were averaged"));
     double mean = 0.0, low = INFINITY, high = -INFINITY, area = 0.0;
@@ -89,7 +85,7 @@ static enum um_status material_history(struct um_context *context, const struct 
       take(t[s], a, &mean, &low, &high);
       area += a;
     }
-    store(out, precomputed, i, mean / area, low, high);
+    store(out, tables, i, mean / area, low, high);
   }
   return UM_OK;
 }
@@ -121,7 +117,7 @@ static enum um_status shares_of(struct um_context *context, const struct um_ther
 }
 
 enum um_status um_model_run_heat(struct um_context *context, const struct um_model *model,
-                                 const struct um_model_precomputed *precomputed,
+                                 const struct um_model_tables *tables,
                                  const struct um_model_thermal_solution *heat,
                                  struct um_model_result *result)
 {
@@ -133,21 +129,20 @@ enum um_status um_model_run_heat(struct um_context *context, const struct um_mod
   double *share = NULL;
   UM_CHECK(um_core_allocate(context, h->nnode, sizeof *node, &node));
   UM_CHECK(shares_of(context, body, &share));
-  UM_CHECK(um_core_allocate(context, precomputed->nobs * result->nplace, sizeof *result->heat,
+  UM_CHECK(um_core_allocate(context, tables->nobs * result->nplace, sizeof *result->heat,
                             &result->heat));
-  for (size_t i = 0; i < instants(precomputed); i++) {
+  for (size_t i = 0; i < instants(tables); i++) {
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_core_stop_check(context, "heats were summed"));
-    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, precomputed->loads,
-                                      &heat->setting.options,
-                                      precomputed->seen->t[precomputed->load_row[i]], t, node));
+    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, tables->loads, &heat->setting.options,
+                                      tables->seen->t[tables->load_row[i]], t, node));
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(
           body->network, h->heating + (i + (run->before ? 1 : 0)) * h->nthermostat, node);
     for (size_t p = 0, s = 0; p < body->nplace; p++) {
-      struct um_thermal_heat *to = &result->heat[i / precomputed->nsub * result->nplace + p];
+      struct um_thermal_heat *to = &result->heat[i / tables->nsub * result->nplace + p];
       for (size_t j = 0; j < body->place[p].nnode; j++, s++) {
-        double w = share[s] / (double)precomputed->nsub;
+        double w = share[s] / (double)tables->nsub;
         const struct um_thermal_heat *from = &node[body->place[p].node[j]];
         to->solar += w * from->solar;
         to->albedo += w * from->albedo;
@@ -166,7 +161,7 @@ done:
 }
 
 enum um_status um_model_run_histories(struct um_context *context, const struct um_model *model,
-                                      const struct um_model_precomputed *precomputed,
+                                      const struct um_model_tables *tables,
                                       const struct um_model_thermal_solution *heat,
                                       struct um_model_result *result)
 {
@@ -176,9 +171,8 @@ enum um_status um_model_run_histories(struct um_context *context, const struct u
   result->nplace = nplace + nmaterial;
   UM_TRY(um_core_allocate(context, result->nplace, sizeof *result->place, &result->place));
   for (size_t p = 0; p < nplace; p++)
-    UM_TRY(place_history(context, precomputed, run, &model->body->place[p], &result->place[p]));
+    UM_TRY(place_history(context, tables, run, &model->body->place[p], &result->place[p]));
   for (size_t m = 0; m < nmaterial; m++)
-    UM_TRY(material_history(context, model, precomputed, run, (uint32_t)m,
-                            &result->place[nplace + m]));
+    UM_TRY(material_history(context, model, tables, run, (uint32_t)m, &result->place[nplace + m]));
   return UM_OK;
 }

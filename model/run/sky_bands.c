@@ -15,7 +15,7 @@ static bool is_asked(const struct um_model *model)
 }
 
 enum um_status um_model_sky_bands(struct um_context *context, const struct um_model *model,
-                                  const struct um_model_precomputed *precomputed,
+                                  const struct um_model_tables *tables,
                                   const struct um_model_result *result, double **out)
 {
   if (model->sky_light == NULL || !is_asked(model)) return UM_OK;
@@ -25,7 +25,7 @@ enum um_status um_model_sky_bands(struct um_context *context, const struct um_mo
       const struct um_optics_band *band = &model->band[b];
       struct um_instrument_bins bins = um_model_bins(result, b, NULL);
       struct um_model_sky sky;
-      um_model_sky(model, precomputed, k, band->from, band->to, &sky);
+      um_model_sky(model, tables, k, band->from, band->to, &sky);
       (*out)[k * result->nband + b] = um_model_sky_band(&sky, &bins);
     }
   return UM_OK;

@@ -65,14 +65,14 @@ static struct lamp moon_of(const struct um_model *model, const struct um_environ
   return lamp;
 }
 
-void um_model_sky(const struct um_model *model, const struct um_model_precomputed *precomputed,
-                  size_t k, double from, double to, struct um_model_sky *out)
+void um_model_sky(const struct um_model *model, const struct um_model_tables *tables, size_t k,
+                  double from, double to, struct um_model_sky *out)
 {
-  size_t middle = k * precomputed->nsub + precomputed->nsub / 2;
-  const struct um_orbit_look *look = &precomputed->look[middle];
-  const struct um_environment_sample *sample = &precomputed->sample[middle];
+  size_t middle = k * tables->nsub + tables->nsub / 2;
+  const struct um_orbit_look *look = &tables->look[middle];
+  const struct um_environment_sample *sample = &tables->sample[middle];
   *out = (struct um_model_sky){.environment = &model->environment};
-  if (model->sky_light == NULL || !model->environment.sky.on || precomputed->hidden[k]) return;
+  if (model->sky_light == NULL || !model->environment.sky.on || tables->hidden[k]) return;
   if (!(from < UM_SKY_LIGHT_LONGEST)) return;
   struct um_vec3 to_satellite = um_vec3_scale(look->to_observer, -1.0);
   struct um_vec3 station = um_vec3_axpy(look->r_gcrs, -look->range, to_satellite);

@@ -3,7 +3,7 @@
 #define UMBRA_MODEL_SKY_LIGHT_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "optics/instrument/photometry.h"
 
 #define UM_MODEL_SKY_NODES 91
@@ -18,8 +18,8 @@ struct um_model_sky {
 /* Behind the satellite at observation k, for wavelengths between two [m]. Dark without
  * model->sky_light, without the effect atmosphere, below the horizon. The Moon counts while the Sun
  * is more than 1 deg down, where moonlight is on. */
-void um_model_sky(const struct um_model *model, const struct um_model_precomputed *precomputed,
-                  size_t k, double from, double to, struct um_model_sky *out);
+void um_model_sky(const struct um_model *model, const struct um_model_tables *tables, size_t k,
+                  double from, double to, struct um_model_sky *out);
 /* Mean radiance between two wavelengths of those [m] [W/m^2/sr/m]. Test: model/sky_light. */
 double um_model_sky_radiance(const struct um_model_sky *sky, double from, double to);
 /* The same through a filter [W/m^2/sr]. */

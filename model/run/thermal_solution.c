@@ -40,16 +40,16 @@ static enum um_status to_material_means(struct um_context *context, const struct
 /* Without a track every node stays at its start temperature. */
 static enum um_status hold_start(struct um_context *context, struct um_model_thermal_solution *heat)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   struct um_thermal_history *h = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
   heat->run.history = h;
-  h->ntime = precomputed->nobs;
+  h->ntime = tables->nobs;
   h->nnode = um_thermal_network_nodes(heat->model->body->network);
   UM_TRY(um_core_allocate(context, h->ntime, sizeof *h->t, &h->t));
   UM_TRY(um_core_allocate(context, h->ntime * h->nnode, sizeof(double), &h->temperature));
   for (size_t k = 0; k < h->ntime; k++) {
-    h->t[k] = precomputed->sample[k].t_tai;
+    h->t[k] = tables->sample[k].t_tai;
     memcpy(h->temperature + k * h->nnode, heat->start, h->nnode * sizeof(double));
   }
   return UM_OK;
@@ -61,10 +61,10 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
  * state. */
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   return !isnan(heat->periodic_distance) && heat->model->start_offset == NULL &&
          um_thermal_network_thermostats(heat->model->body->network) == 0 &&
-         precomputed->t_periodic_end <= precomputed->sample[0].t_tai + 1e-6;
+         tables->t_periodic_end <= tables->sample[0].t_tai + 1e-6;
 }
 
 /* From the start through the observations. brief: from as late as can be. */
@@ -72,20 +72,18 @@ static enum um_status follow(struct um_context *context, bool brief,
                              struct um_model_thermal_solution *heat)
 {
   enum um_status status;
-  const struct um_model_precomputed *precomputed = heat->precomputed;
-  size_t ninstant = precomputed->nobs * precomputed->nsub;
+  const struct um_model_tables *tables = heat->tables;
+  size_t ninstant = tables->nobs * tables->nsub;
   struct um_model_heat_run *run = &heat->run;
   double *times = NULL;
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
-  double before = precomputed->t_first - precomputed->period, from = precomputed->t_start;
-  if (brief && goes_on(heat))
-    from = fmin(precomputed->t_periodic_end, precomputed->sample[0].t_tai);
+  double before = tables->t_first - tables->period, from = tables->t_start;
+  if (brief && goes_on(heat)) from = fmin(tables->t_periodic_end, tables->sample[0].t_tai);
   run->from = from;
-  run->before = from <= precomputed->t_start && before >= precomputed->t_start - 1e-6;
-  if (run->before) times[0] = fmax(before, precomputed->t_start);
-  for (size_t i = 0; i < ninstant; i++)
-    times[i + (run->before ? 1 : 0)] = precomputed->sample[i].t_tai;
-  UM_CHECK(um_thermal_solve(context, heat->model->body->network, precomputed->loads,
+  run->before = from <= tables->t_start && before >= tables->t_start - 1e-6;
+  if (run->before) times[0] = fmax(before, tables->t_start);
+  for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = tables->sample[i].t_tai;
+  UM_CHECK(um_thermal_solve(context, heat->model->body->network, tables->loads,
                             &heat->setting.options, heat->start, from, times,
                             ninstant + (run->before ? 1 : 0), &run->history));
 done:
@@ -97,15 +95,15 @@ done:
  * instant gets what that instant gets, so that their difference is that of the means. */
 static enum um_status swing(struct um_context *context, struct um_model_thermal_solution *heat)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_history *h = heat->run.history;
   size_t shift = heat->run.before ? 1 : 0;
-  if (precomputed->ripple == NULL) return UM_OK;
+  if (tables->ripple == NULL) return UM_OK;
   for (size_t k = 0; k < h->ntime; k++) {
     UM_TRY(um_core_stop_check(context, "temperatures within a turn were added"));
     UM_TRY(um_thermal_ripple_add(
-        context, heat->model->body->network, precomputed->ripple, &heat->setting.options,
-        precomputed->load_row[k < shift ? 0 : k - shift], 1.0, h->temperature + k * h->nnode));
+        context, heat->model->body->network, tables->ripple, &heat->setting.options,
+        tables->load_row[k < shift ? 0 : k - shift], 1.0, h->temperature + k * h->nnode));
   }
   return UM_OK;
 }
@@ -115,7 +113,7 @@ enum um_status um_model_heat_run_surfaces(struct um_context *context,
 {
   const struct um_model *model = heat->model;
   size_t nsurface = um_geometry_mesh(model->geometry)->nsurface;
-  size_t ninstant = heat->precomputed->nobs * heat->precomputed->nsub;
+  size_t ninstant = heat->tables->nobs * heat->tables->nsub;
   struct um_model_heat_run *run = &heat->run;
   size_t nnode = run->history->nnode;
   UM_TRY(um_core_allocate(context, ninstant * nsurface, sizeof(double), &run->surface));
@@ -137,7 +135,7 @@ struct manner {
 };
 
 static enum um_status solution_make(struct um_context *context, const struct um_model *model,
-                                    const struct um_model_precomputed *precomputed,
+                                    const struct um_model_tables *tables,
                                     const struct manner *manner,
                                     struct um_model_thermal_solution **out)
 {
@@ -150,11 +148,11 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   struct um_model_heat_like like = {NULL, NULL, NULL};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
-  *heat = (struct um_model_thermal_solution){.model = model, .precomputed = precomputed};
+  *heat = (struct um_model_thermal_solution){.model = model, .tables = tables};
   if (warm != NULL && periodic)
-    like = (struct um_model_heat_like){warm->model, warm->precomputed, &warm->setting};
-  UM_CHECK(um_model_heat_setting_make(context, model, precomputed,
-                                      like.model != NULL ? &like : NULL, &heat->setting));
+    like = (struct um_model_heat_like){warm->model, warm->tables, &warm->setting};
+  UM_CHECK(um_model_heat_setting_make(context, model, tables, like.model != NULL ? &like : NULL,
+                                      &heat->setting));
   heat->setting.options.tolerance_factor = manner->tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
@@ -163,10 +161,10 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   UM_CHECK(um_model_thermal_start(context, warm, manner->periodic, heat));
   UM_CHECK(um_model_start_offset_add(context, model, heat->start));
   /* temperatures that are stated are those of that instant, not means over its turn */
-  if (precomputed->ripple != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
-    UM_CHECK(um_thermal_ripple_add(context, network, precomputed->ripple, &heat->setting.options, 0,
+  if (tables->ripple != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
+    UM_CHECK(um_thermal_ripple_add(context, network, tables->ripple, &heat->setting.options, 0,
                                    -1.0, heat->start));
-  UM_CHECK(precomputed->points ? hold_start(context, heat) : follow(context, manner->brief, heat));
+  UM_CHECK(tables->points ? hold_start(context, heat) : follow(context, manner->brief, heat));
   UM_CHECK(swing(context, heat));
   UM_CHECK(um_model_heat_run_surfaces(context, heat));
   *out = heat;
@@ -178,32 +176,31 @@ done:
 
 enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model *model,
-                                                const struct um_model_precomputed *precomputed,
+                                                const struct um_model_tables *tables,
                                                 const struct um_model_thermal_solution *warm,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out)
 {
   const struct manner manner = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE,
                                 tolerance_factor > 1.0};
-  return solution_make(context, model, precomputed, &manner, out);
+  return solution_make(context, model, tables, &manner, out);
 }
 
 enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               const struct um_model *model,
-                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_tables *tables,
                                               const struct um_model_thermal_solution *warm,
                                               double tolerance_factor, double periodic,
                                               struct um_model_thermal_solution **out)
 {
   const struct manner manner = {warm, tolerance_factor, periodic, true};
-  return solution_make(context, model, precomputed, &manner, out);
+  return solution_make(context, model, tables, &manner, out);
 }
 
 enum um_status um_model_thermal_solution_lead(struct um_context *context,
                                               struct um_model_thermal_solution *heat)
 {
-  if (heat->rest != NULL || heat->precomputed->points || !um_model_thermal_predicts(heat))
-    return UM_OK;
+  if (heat->rest != NULL || heat->tables->points || !um_model_thermal_predicts(heat)) return UM_OK;
   UM_TRY(um_core_allocate(context, um_thermal_network_nodes(heat->model->body->network),
                           sizeof *heat->rest, &heat->rest));
   enum um_status status = um_model_thermal_rest(context, heat, heat->rest);
@@ -219,7 +216,7 @@ size_t um_model_thermal_solution_bytes(const struct um_model_thermal_solution *h
 {
   const struct um_thermal_history *h = heat->run.history;
   size_t nsurface = um_geometry_mesh(heat->model->geometry)->nsurface;
-  return (h->ntime * h->nnode + heat->precomputed->nobs * heat->precomputed->nsub * nsurface) *
+  return (h->ntime * h->nnode + heat->tables->nobs * heat->tables->nsub * nsurface) *
          sizeof(double);
 }
 
@@ -236,18 +233,16 @@ void um_model_thermal_solution_destroy(struct um_context *context,
 
 /* Optics stand in the networks, which are compared themselves. */
 static bool exchange_equal(const struct um_model_thermal_solution *heat,
-                           const struct um_model *model,
-                           const struct um_model_precomputed *precomputed)
+                           const struct um_model *model, const struct um_model_tables *tables)
 {
   return um_model_exchange_alike(heat->model, model) &&
-         um_model_view_factors_equal(heat->precomputed->view_factors, precomputed->view_factors);
+         um_model_view_factors_equal(heat->tables->view_factors, tables->view_factors);
 }
 
 enum um_status um_model_thermal_solution_matches(struct um_context *context,
                                                  const struct um_model_thermal_solution *heat,
                                                  const struct um_model *model,
-                                                 const struct um_model_precomputed *precomputed,
-                                                 bool *out)
+                                                 const struct um_model_tables *tables, bool *out)
 {
   struct um_thermal_solve_options options = um_model_heat_options(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
@@ -257,14 +252,13 @@ enum um_status um_model_thermal_solution_matches(struct um_context *context,
          a->temperature_in_optics == b->temperature_in_optics &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
-         um_model_times_equal(heat->precomputed, precomputed) &&
-         um_model_loads_equal(heat->precomputed->loads, precomputed->loads) &&
-         um_model_loads_equal(heat->precomputed->ripple, precomputed->ripple) &&
+         um_model_times_equal(heat->tables, tables) &&
+         um_model_loads_equal(heat->tables->loads, tables->loads) &&
+         um_model_loads_equal(heat->tables->ripple, tables->ripple) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
-         exchange_equal(heat, model, precomputed) &&
-         um_model_start_offset_equal(heat->model, model);
-  if (!*out || precomputed->points) return UM_OK;
-  UM_TRY(um_model_aging_create(context, model, precomputed->loads, &aging));
+         exchange_equal(heat, model, tables) && um_model_start_offset_equal(heat->model, model);
+  if (!*out || tables->points) return UM_OK;
+  UM_TRY(um_model_aging_create(context, model, tables->loads, &aging));
   *out = um_model_aging_equal(heat->setting.aging, aging);
   um_model_aging_destroy(context, &aging);
   return UM_OK;

@@ -3,12 +3,12 @@
 #define UMBRA_MODEL_THERMAL_SOLUTION_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 
 #define UM_MODEL_PERIODIC_TOLERANCE 0.01 /* of the repeating state of a run [K] */
 
 /* The heat half of a run, kept: models that differ in what heat does not feel (calibration,
- * roughness, emissivity in a band) share it. Model and geometry precomputation outlive it. */
+ * roughness, emissivity in a band) share it. Model and geometry tables outlive it. */
 struct um_model_thermal_solution;
 /* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from where
  * that of `warm` moves to, which takes an orbit or two in place of many; the state found differs
@@ -18,7 +18,7 @@ struct um_model_thermal_solution;
  * observations alone. Errors of the thermal solvers. The caller destroys. */
 enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model *model,
-                                                const struct um_model_precomputed *precomputed,
+                                                const struct um_model_tables *tables,
                                                 const struct um_model_thermal_solution *warm,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out);
@@ -27,7 +27,7 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
  * there with any tolerance_factor. */
 enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               const struct um_model *model,
-                                              const struct um_model_precomputed *precomputed,
+                                              const struct um_model_tables *tables,
                                               const struct um_model_thermal_solution *warm,
                                               double tolerance_factor, double periodic,
                                               struct um_model_thermal_solution **out);
@@ -39,12 +39,11 @@ enum um_status um_model_thermal_solution_lead(struct um_context *context,
 size_t um_model_thermal_solution_bytes(const struct um_model_thermal_solution *heat);
 void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
-/* *out: true when the model has the same temperatures on this geometry precomputation: network,
+/* *out: true when the model has the same temperatures on these geometry tables: network,
  * loads, times, settings and what ages are equal, number for number. What an effect refuses. */
 enum um_status um_model_thermal_solution_matches(struct um_context *context,
                                                  const struct um_model_thermal_solution *heat,
                                                  const struct um_model *model,
-                                                 const struct um_model_precomputed *precomputed,
-                                                 bool *out);
+                                                 const struct um_model_tables *tables, bool *out);
 
 #endif

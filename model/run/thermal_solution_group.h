@@ -3,12 +3,12 @@
 #define UMBRA_MODEL_THERMAL_SOLUTION_GROUP_H
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/heat_setting_impl.h"
 #include "thermal/solver/solve.h"
 
-/* Temperatures at every instant of the geometry precomputation. history: rows
- * are an instant one orbit before the first (when `before`), then the geometry precomputation's
+/* Temperatures at every instant of the geometry tables. history: rows
+ * are an instant one orbit before the first (when `before`), then the geometry tables'
  * instants. */
 struct um_model_heat_run {
   struct um_thermal_history *history;
@@ -17,8 +17,8 @@ struct um_model_heat_run {
   double *surface; /* [ninstant][nsurface] [K] */
 };
 struct um_model_thermal_solution {
-  const struct um_model *model;                   /* borrowed */
-  const struct um_model_precomputed *precomputed; /* borrowed */
+  const struct um_model *model;         /* borrowed */
+  const struct um_model_tables *tables; /* borrowed */
   struct um_model_heat_setting setting;
   double *start; /* [nnode] start temperatures [K] */
   double *mean;  /* [nnode] over the orbit of a periodic start, of the fourth power [K] */

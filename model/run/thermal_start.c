@@ -17,20 +17,20 @@
 static enum um_status search(struct um_context *context, struct um_model_thermal_solution *heat,
                              double wanted, bool draft)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   struct um_thermal_solve_options options = heat->setting.options;
   struct um_thermal_periodic report;
-  if (isnan(precomputed->period)) {
-    UM_TRY(um_thermal_solve_steady(context, network, precomputed->loads, 0, &options, heat->start,
+  if (isnan(tables->period)) {
+    UM_TRY(um_thermal_solve_steady(context, network, tables->loads, 0, &options, heat->start,
                                    heat->start));
     memcpy(heat->mean, heat->start, um_thermal_network_nodes(network) * sizeof *heat->mean);
     return UM_OK;
   }
   if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-  UM_TRY(um_thermal_solve_periodic_report(context, network, precomputed->loads, &options,
-                                          heat->start, precomputed->t_start, precomputed->period,
-                                          wanted, heat->start, NULL, heat->mean, &report));
+  UM_TRY(um_thermal_solve_periodic_report(context, network, tables->loads, &options, heat->start,
+                                          tables->t_start, tables->period, wanted, heat->start,
+                                          NULL, heat->mean, &report));
   heat->periodic_distance = report.distance;
   return UM_OK;
 }
@@ -40,24 +40,24 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
 static enum um_status run_roughly(struct um_context *context,
                                   struct um_model_thermal_solution *heat)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   struct um_thermal_solve_options options = heat->setting.options;
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
-  double end = precomputed->loads->t[precomputed->loads->ntime - 1], time[DRAFT_INSTANTS];
+  double end = tables->loads->t[tables->loads->ntime - 1], time[DRAFT_INSTANTS];
   double *mean = heat->mean;
-  if (!(end > precomputed->t_start)) {
+  if (!(end > tables->t_start)) {
     memcpy(mean, heat->start, n * sizeof *mean);
     return UM_OK;
   }
-  double from = fmax(precomputed->t_start, end - fmax(precomputed->period, 0.0));
-  if (!(from < end)) from = precomputed->t_start;
+  double from = fmax(tables->t_start, end - fmax(tables->period, 0.0));
+  if (!(from < end)) from = tables->t_start;
   for (size_t k = 0; k < DRAFT_INSTANTS; k++)
     time[k] = from + (end - from) * ((double)k + 0.5) / DRAFT_INSTANTS;
   options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
-  UM_TRY(um_thermal_solve(context, network, precomputed->loads, &options, heat->start,
-                          precomputed->t_start, time, DRAFT_INSTANTS, &h));
+  UM_TRY(um_thermal_solve(context, network, tables->loads, &options, heat->start, tables->t_start,
+                          time, DRAFT_INSTANTS, &h));
   memset(mean, 0, n * sizeof *mean);
   for (size_t k = 0; k < DRAFT_INSTANTS; k++)
     for (size_t i = 0; i < n; i++) mean[i] += pow(h->temperature[k * n + i], 4) / DRAFT_INSTANTS;
@@ -72,28 +72,28 @@ static enum um_status settle_stated(struct um_context *context,
                                     struct um_model_thermal_solution *heat)
 {
   double change;
-  UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, 0.0, 0,
+  UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->start, 0.0, 0,
                                      &heat->setting, &change));
   if (!(change > ROUNDING)) return UM_OK; /* no emittance depends on temperature */
   UM_TRY(run_roughly(context, heat));
-  return um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->mean, 0.0, 0,
+  return um_model_heat_setting_renew(context, heat->model, heat->tables, heat->mean, 0.0, 0,
                                      &heat->setting, &change);
 }
 
 bool um_model_thermal_predicts(const struct um_model_thermal_solution *heat)
 {
   return heat->model->scenario->thermal->start == UM_START_PERIODIC &&
-         !isnan(heat->precomputed->period) &&
+         !isnan(heat->tables->period) &&
          um_thermal_network_thermostats(heat->model->body->network) == 0;
 }
 
 enum um_status um_model_thermal_rest(struct um_context *context,
                                      const struct um_model_thermal_solution *heat, double *rest)
 {
-  const struct um_model_precomputed *precomputed = heat->precomputed;
-  return um_thermal_orbit_mean_rest(context, heat->model->body->network, precomputed->loads,
-                                    &heat->setting.options, precomputed->t_start,
-                                    precomputed->period, heat->mean, rest);
+  const struct um_model_tables *tables = heat->tables;
+  return um_thermal_orbit_mean_rest(context, heat->model->body->network, tables->loads,
+                                    &heat->setting.options, tables->t_start, tables->period,
+                                    heat->mean, rest);
 }
 
 /* heat->mean and start of a model next to that of `warm`, moved as their mean balances differ; the
@@ -103,7 +103,7 @@ static enum um_status predict(struct um_context *context,
                               struct um_model_thermal_solution *heat)
 {
   enum um_status status = UM_OK;
-  const struct um_model_precomputed *precomputed = heat->precomputed;
+  const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double *found = NULL, change = INFINITY;
@@ -114,10 +114,9 @@ static enum um_status predict(struct um_context *context,
   const double *rest = warm->rest != NULL ? warm->rest : found;
   memcpy(heat->mean, warm->mean, n * sizeof *heat->mean);
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
-    UM_CHECK(um_thermal_orbit_mean_solve(context, network, precomputed->loads,
-                                         &heat->setting.options, precomputed->t_start,
-                                         precomputed->period, rest, heat->mean));
-    UM_CHECK(um_model_heat_setting_renew(context, heat->model, precomputed, heat->mean,
+    UM_CHECK(um_thermal_orbit_mean_solve(context, network, tables->loads, &heat->setting.options,
+                                         tables->t_start, tables->period, rest, heat->mean));
+    UM_CHECK(um_model_heat_setting_renew(context, heat->model, tables, heat->mean,
                                          UM_MODEL_SAME_EMITTANCE, round, &heat->setting, &change));
   }
   for (size_t i = 0; i < n; i++)
@@ -140,8 +139,8 @@ static enum um_status settle_periodic(struct um_context *context,
   const double same = UM_MODEL_SAME_EMITTANCE * tolerance / UM_MODEL_PERIODIC_TOLERANCE;
   double change = 0.0;
   if (!warm)
-    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->start, same,
-                                       0, &heat->setting, &change));
+    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->start, same, 0,
+                                       &heat->setting, &change));
   bool draft = !warm && change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
@@ -153,8 +152,8 @@ static enum um_status settle_periodic(struct um_context *context,
       continue;
     }
     UM_TRY(status);
-    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->precomputed, heat->mean, same,
-                                       round, &heat->setting, &change));
+    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->mean, same, round,
+                                       &heat->setting, &change));
     if (!draft) continue;
     draft = change > DRAFT_EMITTANCE;
     change = INFINITY; /* the search itself is to come */
@@ -172,7 +171,7 @@ enum um_status um_model_thermal_start(struct um_context *context,
   double *built = NULL;
   enum um_status status;
   heat->periodic_distance = NAN;
-  if (heat->precomputed->points) return UM_OK;
+  if (heat->tables->points) return UM_OK;
   bool periodic = heat->model->scenario->thermal->start == UM_START_PERIODIC;
   if (!periodic) return settle_stated(context, heat);
   if (warm != NULL && um_thermal_network_nodes(warm->model->body->network) != n) warm = NULL;

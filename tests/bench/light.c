@@ -4,14 +4,14 @@
  *   spectra factor out     the light curve in 2000 bins against the same in one bin, alone and with
  *                          the tracing of the view that both need; with inter-reflection too,
  *                          whose paths do carry spectra
- *   geometry once          heat and light after the geometry precomputation against both
+ *   geometry once          heat and light after the geometry tables against both
  *   threads                view and light curve on two threads against one; the same bytes
  *
  *   stated error           of the light curve, against the scatter of DRAWS draws of the points
  *
  * Goals. Stated and true error within 10 % of each other. 2000 bins: with the view 1.3 times one
  * bin and 3 times with inter-reflection, alone 20 times, a hundredth of 2000 runs. Rerun a fifth of
- * geometry precomputation and run, so that a study of a thousand points is a study of heat
+ * geometry tables and run, so that a study of a thousand points is a study of heat
  * balances; light alone a fiftieth. Two threads 0.6 of one, 0.5 being the best there is. Error:
  * bands of 80 bins, as the scenario has them, within 0.1 % of 1000. Time of this thread where there
  * is one; the wall clock of two says little on a busy machine. */
@@ -36,7 +36,7 @@
 struct pass {
   double trace_time, run_time; /* [s] */
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   float *albedo, *view_factor; /* [nobs][nsurface] */
   struct um_optics_scene scene;
@@ -55,25 +55,25 @@ static void pass_create(const struct bench *bench, struct pass *pass)
   struct um_context *context = bench->context;
   bench_must(bench, um_model_create(context, SCENARIO, &options, &pass->model));
   double a = now(bench);
-  bench_must(bench, um_model_precompute(context, pass->model, &pass->precomputed));
+  bench_must(bench, um_model_precompute(context, pass->model, &pass->tables));
   double b = now(bench);
-  bench_must(bench, um_model_run(context, pass->model, pass->precomputed, &pass->result));
+  bench_must(bench, um_model_run(context, pass->model, pass->tables, &pass->result));
   pass->trace_time = b - a;
   pass->run_time = now(bench) - b;
-  const struct um_model_precomputed *precomputed = pass->precomputed;
-  size_t n = precomputed->nobs, nsurface = precomputed->seen->nsurface;
+  const struct um_model_tables *tables = pass->tables;
+  size_t n = tables->nobs, nsurface = tables->seen->nsurface;
   pass->albedo = bench_allocate(bench, n * nsurface, sizeof(float));
   pass->view_factor = bench_allocate(bench, n * nsurface, sizeof(float));
   for (size_t k = 0; k < n; k++) {
-    size_t row = precomputed->load_row[k] * nsurface;
-    memcpy(pass->albedo + k * nsurface, precomputed->seen->albedo + row, nsurface * sizeof(float));
-    memcpy(pass->view_factor + k * nsurface, precomputed->seen->view_factor + row,
+    size_t row = tables->load_row[k] * nsurface;
+    memcpy(pass->albedo + k * nsurface, tables->seen->albedo + row, nsurface * sizeof(float));
+    memcpy(pass->view_factor + k * nsurface, tables->seen->view_factor + row,
            nsurface * sizeof(float));
   }
   pass->scene = (struct um_optics_scene){.geometry = pass->model->geometry,
                                          .environment = &pass->model->environment,
-                                         .samples = precomputed->sample,
-                                         .view = precomputed->view,
+                                         .samples = tables->sample,
+                                         .view = tables->view,
                                          .material = pass->model->material,
                                          .temperature = pass->result->surface_temperature,
                                          .albedo = pass->albedo,
@@ -86,7 +86,7 @@ static void pass_destroy(const struct bench *bench, struct pass *pass)
   um_core_free(context, pass->albedo);
   um_core_free(context, pass->view_factor);
   um_model_result_destroy(context, &pass->result);
-  um_model_precomputed_destroy(context, &pass->precomputed);
+  um_model_tables_destroy(context, &pass->tables);
   um_model_destroy(context, &pass->model);
 }
 
@@ -121,8 +121,8 @@ static double view_time(const struct bench *bench, const struct pass *pass)
   struct um_optics_view *view = NULL;
   double began = now(bench);
   bench_must(bench,
-             um_optics_view_trace(bench->context, pass->model->geometry, pass->precomputed->sample,
-                                  pass->precomputed->nobs, SAMPLES, 0, &view));
+             um_optics_view_trace(bench->context, pass->model->geometry, pass->tables->sample,
+                                  pass->tables->nobs, SAMPLES, 0, &view));
   double time = now(bench) - began;
   um_optics_view_destroy(bench->context, &view);
   return time;
@@ -180,7 +180,7 @@ static void draw(const struct bench *bench, const struct pass *pass, int samples
   struct um_optics_scene scene = pass->scene;
   struct um_optics_view *view = NULL;
   struct um_optics_lightcurve *c = NULL;
-  size_t n = pass->precomputed->nobs;
+  size_t n = pass->tables->nobs;
   bench_must(bench, um_optics_view_trace(bench->context, pass->model->geometry, scene.samples, n,
                                          samples, seed, &view));
   scene.view = view;
@@ -200,7 +200,7 @@ static void draw_figures(struct bench *bench, const struct pass *pass)
 {
   static const char *const name[2] = {"true error to the stated one, vis",
                                       "true error to the stated one, lwir"};
-  size_t n = 2 * pass->precomputed->nobs;
+  size_t n = 2 * pass->tables->nobs;
   double *truth = bench_allocate(bench, 4 * n, sizeof *truth);
   double *value = truth + n, *error = value + n, is[2] = {0.0, 0.0}, said[2] = {0.0, 0.0};
   draw(bench, pass, TRUTH, 1000, truth, error);
@@ -225,7 +225,7 @@ static void rerun_figures(struct bench *bench, const struct pass *pass)
     double run = pass->run_time;
     if (i > 0) {
       double began = now(bench);
-      bench_must(bench, um_model_run(bench->context, pass->model, pass->precomputed, &result));
+      bench_must(bench, um_model_run(bench->context, pass->model, pass->tables, &result));
       run = now(bench) - began;
       um_model_result_destroy(bench->context, &result);
     }
@@ -272,10 +272,9 @@ int main(int argc, char **argv)
   struct pass pass = {0};
   bench_begin(&bench, argc, argv, "light: ENVISAT's pass, one thread where none are named");
   pass_create(&bench, &pass);
-  bench_number(&bench, "observations", "1", (double)pass.precomputed->nobs, NAN, NAN);
-  bench_number(&bench, "surfaces", "1", (double)pass.precomputed->seen->nsurface, NAN, NAN);
-  bench_number(&bench, "rows of the heat loads", "1", (double)pass.precomputed->seen->ntime, NAN,
-               NAN);
+  bench_number(&bench, "observations", "1", (double)pass.tables->nobs, NAN, NAN);
+  bench_number(&bench, "surfaces", "1", (double)pass.tables->seen->nsurface, NAN, NAN);
+  bench_number(&bench, "rows of the heat loads", "1", (double)pass.tables->seen->ntime, NAN, NAN);
   spectra_figures(&bench, &pass);
   error_figure(&bench, &pass);
   draw_figures(&bench, &pass);

@@ -106,11 +106,11 @@ static void ours(const struct bench *bench, const char *folder, struct pair all[
   struct um_materials_library *library = NULL;
   struct um_materials_sun sun;
   bench_must(bench, um_model_create(context, SCENARIO, &options, &model));
-  struct um_model_precomputed *precomputed = NULL;
-  bench_must(bench, um_model_precompute(context, model, &precomputed));
-  if (precomputed->nobs != INSTANTS)
-    bench_must(bench, um_core_fail(context, UM_ERR_INPUT, "%zu instants", precomputed->nobs));
-  memcpy(sample, precomputed->sample, sizeof sample);
+  struct um_model_tables *tables = NULL;
+  bench_must(bench, um_model_precompute(context, model, &tables));
+  if (tables->nobs != INSTANTS)
+    bench_must(bench, um_core_fail(context, UM_ERR_INPUT, "%zu instants", tables->nobs));
+  memcpy(sample, tables->sample, sizeof sample);
   for (int k = 0; k < INSTANTS; k++) {
     sample[k].sunlit_fraction = 1.0;
     instant_write(bench, folder, model->geometry, &sample[k], k);
@@ -160,7 +160,7 @@ static void ours(const struct bench *bench, const char *folder, struct pair all[
   um_core_free(context, none);
   um_optics_view_destroy(context, &view);
   um_materials_library_destroy(&library);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

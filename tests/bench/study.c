@@ -31,18 +31,18 @@ static double own_run(const struct bench *bench, const struct um_study *study,
   struct um_context *context = bench->context;
   struct um_study_changes changes;
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   bench_must(bench, um_study_changes_make(context, study->model, study->way, study->nway, parameter,
                                           &changes));
   double begin = bench_cpu();
   bench_must(bench, um_model_variant_create(context, study->model, &changes.all, &model));
-  bench_must(bench, um_model_precompute(context, model, &precomputed));
-  bench_must(bench, um_model_run(context, model, precomputed, &result));
+  bench_must(bench, um_model_precompute(context, model, &tables));
+  bench_must(bench, um_model_run(context, model, tables, &result));
   double seconds = bench_cpu() - begin;
   bench_must(bench, um_study_outputs_take(context, study, model, result, value));
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   um_study_changes_clear(context, &changes);
   return seconds;

@@ -40,14 +40,14 @@ static const struct cost costs[] = {
 
 static double own_run(const struct bench *bench, const struct um_model *model)
 {
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   double begin = bench_cpu();
-  bench_must(bench, um_model_precompute(bench->context, model, &precomputed));
-  bench_must(bench, um_model_run(bench->context, model, precomputed, &result));
+  bench_must(bench, um_model_precompute(bench->context, model, &tables));
+  bench_must(bench, um_model_run(bench->context, model, tables, &result));
   double seconds = bench_cpu() - begin;
   um_model_result_destroy(bench->context, &result);
-  um_model_precomputed_destroy(bench->context, &precomputed);
+  um_model_tables_destroy(bench->context, &tables);
   return seconds;
 }
 

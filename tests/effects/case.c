@@ -119,8 +119,8 @@ struct case_run case_compute(const char *scenario, const char *const *with,
 {
   struct case_run run = {0};
   need(create(scenario, with, without, set, &run.model));
-  need(um_model_precompute(context, run.model, &run.precomputed));
-  need(um_model_run(context, run.model, run.precomputed, &run.result));
+  need(um_model_precompute(context, run.model, &run.tables));
+  need(um_model_run(context, run.model, run.tables, &run.result));
   return run;
 }
 
@@ -133,7 +133,7 @@ struct case_run case_with(const char *scenario, const char *with)
 void case_release(struct case_run *run)
 {
   um_model_result_destroy(context, &run->result);
-  um_model_precomputed_destroy(context, &run->precomputed);
+  um_model_tables_destroy(context, &run->tables);
   um_model_destroy(context, &run->model);
 }
 
@@ -141,14 +141,14 @@ void case_refused(const char *scenario, const char *with, const char *part)
 {
   const char *const list[] = {with, NULL};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   um_core_message_clear(context); /* the first message is kept */
   enum um_status status = create(scenario, list, NULL, NULL, &model);
-  if (status == UM_OK) status = um_model_precompute(context, model, &precomputed);
+  if (status == UM_OK) status = um_model_precompute(context, model, &tables);
   if (status == UM_OK) fail_msg("%s was accepted", with);
   if (strstr(um_core_message(context), part) == NULL)
     fail_msg("'%s' does not hold '%s'", um_core_message(context), part);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

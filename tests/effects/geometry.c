@@ -94,8 +94,8 @@ static void array_angle_offsets_tracking(void **state)
   struct case_run a = case_with(case_satellite, "array_angle:wing,angle_deg=10");
   const struct um_geometry_mesh *mesh = um_geometry_mesh(a.model->geometry);
   size_t seen = 0;
-  for (size_t k = 0; k < a.precomputed->nobs; k++) {
-    struct um_vec3 sun = um_quat_apply(a.precomputed->sample[k].q, a.precomputed->sample[k].sun);
+  for (size_t k = 0; k < a.tables->nobs; k++) {
+    struct um_vec3 sun = um_quat_apply(a.tables->sample[k].q, a.tables->sample[k].sun);
     double expected = sqrt(1.0 - sun.y * sun.y) * cos(10.0 * UM_DEG);
     struct um_geometry_pose *pose = NULL;
     double angle;

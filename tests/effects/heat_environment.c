@@ -102,11 +102,11 @@ static void edges(const char *const *with, double t[3])
                                          "environment.shadow=sphere", "environment.disc=point",
                                          "thermal.start=isothermal", NULL};
   struct heat_run run = heat_compute(circling, with, NONE);
-  double from = run.precomputed->t_obs[0];
+  double from = run.tables->t_obs[0];
   struct um_environment_event *event = NULL;
   size_t count = 0, n = 0;
-  assert_int_equal(um_model_events(run.context, run.model, from,
-                                   from + 1.6 * run.precomputed->period, &event, &count),
+  assert_int_equal(um_model_events(run.context, run.model, from, from + 1.6 * run.tables->period,
+                                   &event, &count),
                    UM_OK);
   for (size_t i = 0; i < count; i++) {
     if (event[i].kind != UM_EVENT_HALF_ENTRY && event[i].kind != UM_EVENT_HALF_EXIT) continue;

@@ -70,15 +70,15 @@ struct heat_run heat_compute(const char *const *overrides, const char *const *wi
                                            .nwithout = count(without)};
   assert_int_equal(um_core_context_create(NULL, &run.context), UM_OK);
   need(&run, um_model_create(run.context, file_name, &options, &run.model));
-  need(&run, um_model_precompute(run.context, run.model, &run.precomputed));
-  need(&run, um_model_run(run.context, run.model, run.precomputed, &run.result));
+  need(&run, um_model_precompute(run.context, run.model, &run.tables));
+  need(&run, um_model_run(run.context, run.model, run.tables, &run.result));
   return run;
 }
 
 void heat_release(struct heat_run *run)
 {
   um_model_result_destroy(run->context, &run->result);
-  um_model_precomputed_destroy(run->context, &run->precomputed);
+  um_model_tables_destroy(run->context, &run->tables);
   um_model_destroy(run->context, &run->model);
   um_core_context_destroy(&run->context);
 }
@@ -90,8 +90,8 @@ void heat_refused(const char *const *overrides, const char *const *with, char *o
       .overrides = overrides, .noverride = count(overrides), .with = with, .nwith = count(with)};
   assert_int_equal(um_core_context_create(NULL, &run.context), UM_OK);
   enum um_status status = um_model_create(run.context, file_name, &options, &run.model);
-  if (status == UM_OK) status = um_model_precompute(run.context, run.model, &run.precomputed);
-  if (status == UM_OK) status = um_model_run(run.context, run.model, run.precomputed, &run.result);
+  if (status == UM_OK) status = um_model_precompute(run.context, run.model, &run.tables);
+  if (status == UM_OK) status = um_model_run(run.context, run.model, run.tables, &run.result);
   snprintf(out, size, "%s", um_core_message(run.context));
   heat_release(&run);
   assert_int_equal(status, UM_ERR_INPUT);
@@ -116,11 +116,11 @@ static bool selected(const struct heat_run *run, size_t s, const char *part, boo
 
 struct heat_budget heat_budget(const struct heat_run *run, const char *part, bool back)
 {
-  const struct um_irradiation_loads *loads = run->precomputed->seen;
-  size_t nsurface = loads->nsurface, row = run->precomputed->load_row[0] * nsurface;
+  const struct um_irradiation_loads *loads = run->tables->seen;
+  size_t nsurface = loads->nsurface, row = run->tables->load_row[0] * nsurface;
   double space = run->model->scenario->thermal->space_temperature_K;
-  double sun = loads->irradiance[run->precomputed->load_row[0]] *
-               loads->sunlit[run->precomputed->load_row[0]];
+  double sun =
+      loads->irradiance[run->tables->load_row[0]] * loads->sunlit[run->tables->load_row[0]];
   struct heat_budget b = {0};
   for (size_t s = 0; s < nsurface; s++) {
     if (!selected(run, s, part, back)) continue;

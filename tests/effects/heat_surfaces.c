@@ -86,7 +86,7 @@ static void emittance_scales_emission(void **state)
 static void of_the_earth(const struct heat_run *run, double tilt, double *albedo, double *planet)
 {
   const struct um_environment *e = &run->model->environment;
-  const struct um_environment_sample *sample = &run->precomputed->sample[0];
+  const struct um_environment_sample *sample = &run->tables->sample[0];
   const struct um_materials_record *osr = um_materials_library_find(run->model->library, "osr");
   struct um_materials_adjustment tilted = um_materials_no_adjustment;
   double h = um_vec3_norm(sample->r) / e->earth_radius, low = sqrt(1.0 - 1.0 / (h * h));

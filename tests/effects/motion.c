@@ -10,7 +10,7 @@
 
 static struct um_environment_sample sample(const struct case_run *run, size_t k)
 {
-  return run->precomputed->sample[k];
+  return run->tables->sample[k];
 }
 
 static double distance(struct um_vec3 a, struct um_vec3 b)
@@ -20,7 +20,7 @@ static double distance(struct um_vec3 a, struct um_vec3 b)
 
 static void expect_same_orbit(const struct case_run *a, const struct case_run *b)
 {
-  for (size_t k = 0; k < a->precomputed->nobs; k++) {
+  for (size_t k = 0; k < a->tables->nobs; k++) {
     assert_true(sample(a, k).t_tai == sample(b, k).t_tai);
     assert_true(distance(sample(a, k).r, sample(b, k).r) == 0.0);
     assert_true(distance(sample(a, k).sun, sample(b, k).sun) == 0.0);
@@ -38,7 +38,7 @@ static void attitude_offset_turns_the_body(void **state)
   const struct um_vec3 e = um_vec3(0.6, 0.0, 0.8);
   double c = cos(5.0 * UM_DEG), s = sin(5.0 * UM_DEG);
   expect_same_orbit(&a, &b);
-  for (size_t k = 0; k < a.precomputed->nobs; k++) {
+  for (size_t k = 0; k < a.tables->nobs; k++) {
     struct um_vec3 v = um_quat_apply(sample(&a, k).q, sample(&a, k).sun);
     struct um_vec3 expected = um_vec3_axpy(um_vec3_scale(v, c), s, um_vec3_cross(v, e));
     expected = um_vec3_axpy(expected, um_vec3_dot(e, v) * (1.0 - c), e);
@@ -58,8 +58,8 @@ static void spin_period_keeps_the_phase(void **state)
   struct case_run a = case_with(case_spinner, NULL);
   struct case_run b = case_with(case_spinner, "spin_period,relative=0.02");
   expect_same_orbit(&a, &b);
-  for (size_t k = 0; k < a.precomputed->nobs; k++) {
-    double t = sample(&a, k).t_tai - a.precomputed->t_obs[0] - 60.0; /* light time included */
+  for (size_t k = 0; k < a.tables->nobs; k++) {
+    double t = sample(&a, k).t_tai - a.tables->t_obs[0] - 60.0; /* light time included */
     double more = 2.0 * UM_PI * t * (1.0 / (period * (1.0 + relative)) - 1.0 / period);
     struct um_quat expected = um_quat_then(sample(&a, k).q, um_quat_from_axis(axis, more));
     struct um_vec3 x = um_vec3(1, 0, 0);
@@ -91,8 +91,8 @@ static void spin_period_slows_a_tumble(void **state)
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
   static const char *const slower[] = {"spin_period,relative=0.25", NULL};
   struct case_run b = case_compute(case_spinner, slower, NULL, later);
-  assert_true(a.precomputed->nobs == 13 && b.precomputed->nobs == 13);
-  for (size_t k = 0; k < a.precomputed->nobs; k++)
+  assert_true(a.tables->nobs == 13 && b.tables->nobs == 13);
+  for (size_t k = 0; k < a.tables->nobs; k++)
     for (int axis = 0; axis < 3; axis++) {
       struct um_vec3 x = um_vec3(axis == 0, axis == 1, axis == 2);
       assert_true(distance(um_quat_apply(sample(&a, k).q, x), um_quat_apply(sample(&b, k).q, x)) <=
@@ -111,9 +111,9 @@ static void time_tag_shows_what_was_before(void **state)
                                     "time.stop_utc=2020-03-20T12:03:52Z", NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
   struct case_run b = case_with(case_spinner, "time_tag,bias_s=8");
-  assert_int_equal(a.precomputed->nobs, b.precomputed->nobs);
-  for (size_t k = 0; k < a.precomputed->nobs; k++)
-    assert_true(b.precomputed->t_obs[k] == a.precomputed->t_obs[k] + 8.0);
+  assert_int_equal(a.tables->nobs, b.tables->nobs);
+  for (size_t k = 0; k < a.tables->nobs; k++)
+    assert_true(b.tables->t_obs[k] == a.tables->t_obs[k] + 8.0);
   expect_same_orbit(&a, &b);
   assert_true(case_same(&a, &b));
   case_release(&a);
@@ -130,14 +130,13 @@ static void along_track_moves_the_satellite(void **state)
                                                                          NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
   struct case_run b = case_compute(case_spinner, with, NULL, set);
-  for (size_t k = 0; k < a.precomputed->nobs; k++) {
+  for (size_t k = 0; k < a.tables->nobs; k++) {
     struct um_environment_sample later;
     assert_int_equal(um_model_sample_at(case_context(), a.model, sample(&a, k).t_tai + 3.0, &later),
                      UM_OK);
     assert_true(distance(sample(&b, k).r, later.r) <= 1e-6); /* [m] */
     assert_true(distance(sample(&b, k).r, sample(&a, k).r) >= 22e3);
-    assert_memory_equal(&a.precomputed->sample[k].q, &b.precomputed->sample[k].q,
-                        sizeof(struct um_quat));
+    assert_memory_equal(&a.tables->sample[k].q, &b.tables->sample[k].q, sizeof(struct um_quat));
   }
   case_release(&a);
   case_release(&b);
@@ -162,7 +161,7 @@ static void exposure_adds_in_squares(void **state)
   assert_true(case_same(&a, &b));
   assert_true(case_same(&a, &c));
   assert_false(case_same(&a, &d));
-  assert_int_equal(d.precomputed->nsub, 1);
+  assert_int_equal(d.tables->nsub, 1);
   assert_true(case_same(&e, &f));
   for (size_t i = 0; i < g.result->nobs * g.result->nband; i++) /* means of equal instants */
     case_near("no exposure", g.result->irradiance[i], d.result->irradiance[i], 1e-12);

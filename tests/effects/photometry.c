@@ -47,7 +47,7 @@ static void expect(const char *with, unsigned mask, double k, double factor, dou
   assert_true(case_same_temperatures(&a, &b));
   assert_true(case_same_intensities(&a, &b));
   for (size_t t = 0; t < a.result->nobs; t++) {
-    double airmass = um_environment_airmass_toward(a.precomputed->look[t].elevation);
+    double airmass = um_environment_airmass_toward(a.tables->look[t].elevation);
     assert_true(airmass > 1.0 && airmass < 3.0);
     for (size_t band = 0; band < 2; band++) {
       double before = a.result->irradiance[2 * t + band],
@@ -55,7 +55,7 @@ static void expect(const char *with, unsigned mask, double k, double factor, dou
       double m = a.result->magnitude_ab[2 * t + band], m1 = b.result->magnitude_ab[2 * t + band];
       double intensity = um_model_result_intensity(a.result, t, band, -1);
       double concluded = b.result->measured_intensity[2 * t + band];
-      double square = a.precomputed->sample[t].range * a.precomputed->sample[t].range; /* [m^2] */
+      double square = a.tables->sample[t].range * a.tables->sample[t].range; /* [m^2] */
       assert_true(a.result->measured_intensity[2 * t + band] == intensity);
       assert_true(before > 0.0);
       if ((mask >> band & 1) == 0) {
@@ -108,7 +108,7 @@ static void expect_law(const char *with, double (*law)(double e, double elevatio
   assert_true(case_same_temperatures(&a, &b));
   assert_true(case_same_intensities(&a, &b));
   for (size_t t = 0; t < a.result->nobs; t++) {
-    double h = a.precomputed->look[t].elevation, e = a.result->irradiance[2 * t];
+    double h = a.tables->look[t].elevation, e = a.result->irradiance[2 * t];
     double m = zero * pow(10.0, -0.4 * a.result->magnitude_ab[2 * t]);
     case_near(with, b.result->irradiance[2 * t], law(e, h), 1e-13);
     case_near(with, zero * pow(10.0, -0.4 * b.result->magnitude_ab[2 * t]), law(m, h), 1e-12);
@@ -224,7 +224,7 @@ static void nothing_is_seen_below_the_horizon(void **state)
     const char *const set[] = {places[p].observer, NULL};
     a = case_compute(behind, with, NULL, set);
     for (size_t i = 0; i < a.result->nobs * a.result->nband; i++) {
-      assert_true(a.precomputed->hidden[i / 2] == places[p].hidden);
+      assert_true(a.tables->hidden[i / 2] == places[p].hidden);
       assert_true(isnan(a.result->irradiance[i]) == places[p].hidden);
       assert_true(isnan(a.result->magnitude_ab[i]) == places[p].hidden);
       assert_true(um_model_result_intensity(a.result, i / 2, i % 2, -1) > 0.0);

@@ -59,7 +59,7 @@ static void band_emissivity_scales_emission(void **state)
 static void cosines(const struct case_run *run, double *cos_i, double *cos_o, double *cos_h)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
-  const struct um_environment_sample *s = &run->precomputed->sample[1];
+  const struct um_environment_sample *s = &run->tables->sample[1];
   struct um_geometry_pose *pose = NULL;
   assert_int_equal(um_geometry_pose_create(case_context(), run->model->geometry, NULL, &pose),
                    UM_OK);
@@ -138,7 +138,7 @@ static void roughness_widens_the_lobe(void **state)
                                              "roughness:" PANEL ",alpha_factor=1.4", NULL};
   struct case_run a = case_compute(case_plate, smooth, NULL, NULL);
   struct case_run b = case_compute(case_plate, rough, NULL, NULL);
-  double cos_i, cos_o, cos_h, disc = asin(6.957e8 / a.precomputed->sample[1].sun_distance);
+  double cos_i, cos_o, cos_h, disc = asin(6.957e8 / a.tables->sample[1].sun_distance);
   double alpha = sqrt(0.265 * 0.265 + disc * disc / 8.0);
   double wide = sqrt(1.4 * 0.265 * 1.4 * 0.265 + disc * disc / 8.0);
   cosines(&a, &cos_i, &cos_o, &cos_h);
@@ -167,7 +167,7 @@ static void anisotropy_goes_across_the_grain(void **state)
   struct case_run b = case_compute(case_plate, drawn, NULL, NULL);
   struct case_run c = case_compute(case_plate, none, NULL, NULL);
   assert_true(case_same(&a, &c));
-  const struct um_environment_sample *s = &a.precomputed->sample[1];
+  const struct um_environment_sample *s = &a.tables->sample[1];
   struct um_quat to_part[1];
   um_geometry_part_rotations(a.model->geometry, NULL, to_part);
   struct um_vec3 i = um_quat_apply(to_part[0], um_quat_apply(s->q, s->sun)),

@@ -30,8 +30,8 @@ static void keys_hold_switches_off(void **state)
   assert_true(is_off(&keys, "oblateness") && is_off(&keys, "penumbra"));
   assert_true(is_off(&off, "oblateness") && is_off(&off, "penumbra"));
   assert_true(case_same(&keys, &off));
-  assert_true(keys.precomputed->sunlit[0] == 0.0);
-  assert_true(plain.precomputed->sunlit[0] > 0.05 && plain.precomputed->sunlit[0] < 0.95);
+  assert_true(keys.tables->sunlit[0] == 0.0);
+  assert_true(plain.tables->sunlit[0] > 0.05 && plain.tables->sunlit[0] < 0.95);
   case_release(&plain);
   case_release(&keys);
   case_release(&off);

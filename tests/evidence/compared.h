@@ -22,7 +22,7 @@ static inline struct um_model *model_with(const char *override)
 struct compared {
   struct um_compare_measurements *measurements;
   struct um_compare_plan *plan;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_compare_comparison *comparison;
 };
@@ -33,9 +33,9 @@ static inline struct compared compare(struct um_model *model, const char *rows)
   put("m.csv", rows);
   assert_ok(um_compare_measurements_read(context, "m.csv", &p.measurements));
   assert_ok(um_compare_plan_create(context, model, p.measurements, &p.plan));
-  assert_ok(um_compare_plan_trace(context, model, p.plan, &p.precomputed));
-  assert_ok(um_model_run(context, model, p.precomputed, &p.result));
-  struct um_compare_run run = {model, p.plan, p.precomputed, p.result};
+  assert_ok(um_compare_plan_trace(context, model, p.plan, &p.tables));
+  assert_ok(um_model_run(context, model, p.tables, &p.result));
+  struct um_compare_run run = {model, p.plan, p.tables, p.result};
   assert_ok(um_compare_create(context, &run, 0.0, &p.comparison));
   return p;
 }
@@ -44,7 +44,7 @@ static inline void compared_end(struct compared *p)
 {
   um_compare_destroy(context, &p->comparison);
   um_model_result_destroy(context, &p->result);
-  um_model_precomputed_destroy(context, &p->precomputed);
+  um_model_tables_destroy(context, &p->tables);
   um_compare_plan_destroy(context, &p->plan);
   um_compare_measurements_destroy(context, &p->measurements);
 }

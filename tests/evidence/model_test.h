@@ -64,7 +64,7 @@ static inline int model_tear_down(void **state)
 /* A model and its own observations. */
 struct world {
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 
@@ -78,23 +78,23 @@ static inline struct um_model *model_of(const struct um_model_options *options)
 static inline struct world world_of(const struct um_model_options *options)
 {
   struct world w = {.model = model_of(options)};
-  assert_ok(um_model_precompute(context, w.model, &w.precomputed));
-  assert_ok(um_model_run(context, w.model, w.precomputed, &w.result));
+  assert_ok(um_model_precompute(context, w.model, &w.tables));
+  assert_ok(um_model_run(context, w.model, w.tables, &w.result));
   return w;
 }
 
 static inline void world_end(struct world *w)
 {
   um_model_result_destroy(context, &w->result);
-  um_model_precomputed_destroy(context, &w->precomputed);
+  um_model_tables_destroy(context, &w->tables);
   um_model_destroy(context, &w->model);
 }
 
-/* Measurements beside a model, on a geometry precomputation of their own times. */
+/* Measurements beside a model, on geometry tables of their own times. */
 struct pair {
   struct um_compare_measurements *measurements;
   struct um_compare_plan *plan;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_compare_comparison *comparison;
 };
@@ -104,9 +104,9 @@ static inline struct pair pair_of(struct um_model *model, const char *path, doub
   struct pair p = {0};
   assert_ok(um_compare_measurements_read(context, path, &p.measurements));
   assert_ok(um_compare_plan_create(context, model, p.measurements, &p.plan));
-  assert_ok(um_compare_plan_trace(context, model, p.plan, &p.precomputed));
-  assert_ok(um_model_run(context, model, p.precomputed, &p.result));
-  struct um_compare_run run = {model, p.plan, p.precomputed, p.result};
+  assert_ok(um_compare_plan_trace(context, model, p.plan, &p.tables));
+  assert_ok(um_model_run(context, model, p.tables, &p.result));
+  struct um_compare_run run = {model, p.plan, p.tables, p.result};
   assert_ok(um_compare_create(context, &run, fitted, &p.comparison));
   return p;
 }
@@ -115,7 +115,7 @@ static inline void pair_end(struct pair *p)
 {
   um_compare_destroy(context, &p->comparison);
   um_model_result_destroy(context, &p->result);
-  um_model_precomputed_destroy(context, &p->precomputed);
+  um_model_tables_destroy(context, &p->tables);
   um_compare_plan_destroy(context, &p->plan);
   um_compare_measurements_destroy(context, &p->measurements);
 }

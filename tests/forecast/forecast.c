@@ -121,8 +121,8 @@ static void test_shadow(void **state)
 
 /* What is brightest, largest and nearest of a run's instants; the error is how far the magnitude
  * moves by a small part of the flux's. */
-static void check_band(const struct um_model_precomputed *p, const struct um_model_result *r,
-                       size_t b, double culmination, const struct um_forecast_band *band)
+static void check_band(const struct um_model_tables *p, const struct um_model_result *r, size_t b,
+                       double culmination, const struct um_forecast_band *band)
 {
   size_t best = 0, largest = 0, middle = 0;
   double intensity = 0.0;
@@ -159,7 +159,7 @@ static void test_run(void **state)
   struct um_forecast_work work = {.nband = 2, .nplace = 2, .place = place};
   const struct um_variant_settings settings = {.base = {1.0, 0.01}};
   struct um_model *model, *stands;
-  struct um_model_precomputed *p;
+  struct um_model_tables *p;
   struct um_model_result *r;
   OK(um_model_create(context, path, NULL, &stands));
   OK(um_variant_evaluator_create(context, stands, &settings, &work.evaluator));
@@ -203,7 +203,7 @@ static void test_run(void **state)
   }
   um_core_free(context, value);
   um_model_result_destroy(context, &r);
-  um_model_precomputed_destroy(context, &p);
+  um_model_tables_destroy(context, &p);
   um_model_destroy(context, &model);
   um_variant_evaluator_destroy(context, &work.evaluator);
   um_model_destroy(context, &stands);
@@ -223,7 +223,7 @@ static void test_periodic(void **state)
   static const size_t place[] = {0, 1};
   struct um_forecast_work work = {.nband = 2, .nplace = 2, .place = place};
   struct um_model *own, *stands;
-  struct um_model_precomputed *p;
+  struct um_model_tables *p;
   struct um_model_result *r;
   OK(um_model_create(context, path, &options, &stands));
   const struct um_model_instants instant = {.time = &stands->scenario->time->start, .count = 1};
@@ -255,7 +255,7 @@ static void test_periodic(void **state)
   assert_close(lwir.intensity / most, 1.0, 1e-3);
   um_core_free(context, value);
   um_model_result_destroy(context, &r);
-  um_model_precomputed_destroy(context, &p);
+  um_model_tables_destroy(context, &p);
   um_model_destroy(context, &own);
   um_variant_evaluator_destroy(context, &work.evaluator);
   um_model_destroy(context, &stands);

@@ -158,20 +158,20 @@ static void write_all(struct um_context *context, const struct um_output_run *ru
 
 static void run_model(struct um_context *context, const struct um_model *model)
 {
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
-  if (um_fuzz_good(context, um_model_precompute(context, model, &precomputed)) &&
-      um_fuzz_good(context, um_model_run(context, model, precomputed, &result))) {
+  if (um_fuzz_good(context, um_model_precompute(context, model, &tables)) &&
+      um_fuzz_good(context, um_model_run(context, model, tables, &result))) {
     look(result);
     write_all(context, &(struct um_output_run){.model = model,
-                                               .precomputed = precomputed,
+                                               .tables = tables,
                                                .result = result,
                                                .command = "fuzz",
                                                .version = "0",
                                                .context = context});
   }
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
 }
 
 void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)

@@ -10,14 +10,14 @@
 
 static void run(struct um_context *context, const struct um_model *model)
 {
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *r = NULL;
-  if (um_fuzz_good(context, um_model_precompute(context, model, &precomputed)) &&
-      um_fuzz_good(context, um_model_run(context, model, precomputed, &r)))
+  if (um_fuzz_good(context, um_model_precompute(context, model, &tables)) &&
+      um_fuzz_good(context, um_model_run(context, model, tables, &r)))
     for (size_t i = 0; i < r->nobs * r->nnode; i++)
       um_fuzz_finite(r->node_temperature[i], "the temperature of a node");
   um_model_result_destroy(context, &r);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
 }
 
 void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)

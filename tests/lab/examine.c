@@ -132,7 +132,7 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
   options.no_heat = c->pulse == NULL;
   UM_CHECK(um_diagnosis_create(context, forward, desk->candidates, &options, &d));
   describe(d, c, row);
-  if (c->pulse != NULL) describe_pulse(d, c, truth->precomputed->t_first, row);
+  if (c->pulse != NULL) describe_pulse(d, c, truth->tables->t_first, row);
 done:
   um_diagnosis_destroy(context, &d);
   um_diagnosis_request_release(context, &request);

@@ -122,7 +122,7 @@ void lab_world_analyst(const struct lab_world *world, struct lab_analyst *out);
 struct lab_truth {
   const struct lab_world *world;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 /* plain: on the mesh of the analyst, without the switch he left out. */

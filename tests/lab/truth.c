@@ -86,8 +86,8 @@ enum um_status lab_truth_create(struct um_context *context, const struct lab_cas
     free(absolute);
     if (status != UM_OK) goto done;
   }
-  UM_CHECK(um_model_precompute(context, out->model, &out->precomputed));
-  UM_CHECK(um_model_run(context, out->model, out->precomputed, &out->result));
+  UM_CHECK(um_model_precompute(context, out->model, &out->tables));
+  UM_CHECK(um_model_run(context, out->model, out->tables, &out->result));
 done:
   if (status != UM_OK) lab_truth_release(context, out);
   return status;
@@ -96,7 +96,7 @@ done:
 void lab_truth_release(struct um_context *context, struct lab_truth *truth)
 {
   um_model_result_destroy(context, &truth->result);
-  um_model_precomputed_destroy(context, &truth->precomputed);
+  um_model_tables_destroy(context, &truth->tables);
   um_model_destroy(context, &truth->model);
 }
 
@@ -116,10 +116,9 @@ static bool is_kept(const struct lab_truth *truth, const struct um_compare_chann
                     size_t k, double t)
 {
   const struct lab_filter *f = &truth->world->filter;
-  const struct um_model_precomputed *precomputed = truth->precomputed;
-  double since = t - precomputed->t_obs[0], sunlit = precomputed->sunlit[k];
-  double elevation =
-      precomputed->look[k * precomputed->nsub + precomputed->nsub / 2].elevation / UM_DEG;
+  const struct um_model_tables *tables = truth->tables;
+  double since = t - tables->t_obs[0], sunlit = tables->sunlit[k];
+  double elevation = tables->look[k * tables->nsub + tables->nsub / 2].elevation / UM_DEG;
   bool heat = channel->quantity == UM_QUANTITY_TEMPERATURE;
   if (!is_listed(f->channels, channel->of)) return false;
   if (f->every > 1 && k % f->every != 0) return false;
@@ -151,11 +150,11 @@ enum um_status lab_truth_measure(struct um_context *context, const struct lab_tr
                                      .place = w->place,
                                      .temperature_sigma = w->kelvin};
   while (options.nplace < LAB_PLACES && w->place[options.nplace] != NULL) options.nplace++;
-  UM_TRY(um_compare_synth_create(context, truth->model, truth->precomputed, truth->result, &options,
+  UM_TRY(um_compare_synth_create(context, truth->model, truth->tables, truth->result, &options,
                                  w->name, out));
   for (size_t i = 0, k = 0; i < (*out)->count; i++) {
     struct um_compare_measurement *row = &(*out)->row[i];
-    while (k + 1 < truth->precomputed->nobs && truth->precomputed->t_obs[k] < row->t_tai) k++;
+    while (k + 1 < truth->tables->nobs && truth->tables->t_obs[k] < row->t_tai) k++;
     row->flag = is_kept(truth, &(*out)->channel[row->channel], k, row->t_tai) ? 0 : 1;
   }
   return UM_OK;

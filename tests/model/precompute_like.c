@@ -1,4 +1,4 @@
-/* What stays of a geometry precomputation while the body stays: for every key below tracing with
+/* What stays of geometry tables while the body stays: for every key below tracing with
  * the tables of another gives what tracing anew gives, number for number, and the tables are shared
  * where they hang on nothing that was changed. */
 #include <stdio.h>
@@ -82,22 +82,22 @@ static void test_like_is_as_traced(void **state)
 {
   (void)state;
   struct um_model *made = NULL;
-  struct um_model_precomputed *own = NULL;
+  struct um_model_tables *own = NULL;
   need(um_model_create(context, FILE_NAME, NULL, &made));
   need(um_model_precompute(context, made, &own));
   assert_non_null(own->mirrored);
   for (size_t i = 0; i < CHANGES; i++) {
     struct um_model *model = build(i);
-    struct um_model_precomputed *anew = NULL, *like = NULL;
+    struct um_model_tables *anew = NULL, *like = NULL;
     need(um_model_precompute(context, model, &anew));
     need(um_model_precompute_like(context, made, own, model, NULL, &like));
     if ((like->body == own->body) != changes[i].shared) fail_msg("change %zu: shared", i);
     if (!traced_equal(like, anew)) fail_msg("change %zu: not as traced", i);
-    um_model_precomputed_destroy(context, &anew);
-    um_model_precomputed_destroy(context, &like);
+    um_model_tables_destroy(context, &anew);
+    um_model_tables_destroy(context, &like);
     um_model_destroy(context, &model);
   }
-  um_model_precomputed_destroy(context, &own);
+  um_model_tables_destroy(context, &own);
   um_model_destroy(context, &made);
 }
 
@@ -106,20 +106,20 @@ static void test_like_outlives(void **state)
 {
   (void)state;
   struct um_model *model[3];
-  struct um_model_precomputed *p[3] = {NULL}, *anew = NULL;
+  struct um_model_tables *p[3] = {NULL}, *anew = NULL;
   for (size_t i = 0; i < 3; i++) model[i] = build(i);
   need(um_model_precompute(context, model[0], &p[0]));
   need(um_model_precompute_like(context, model[0], p[0], model[1], NULL, &p[1]));
-  um_model_precomputed_destroy(context, &p[0]);
+  um_model_tables_destroy(context, &p[0]);
   um_model_destroy(context, &model[0]);
   need(um_model_precompute_like(context, model[1], p[1], model[2], NULL, &p[2]));
   assert_ptr_equal(p[1]->body, p[2]->body);
-  um_model_precomputed_destroy(context, &p[1]);
+  um_model_tables_destroy(context, &p[1]);
   um_model_destroy(context, &model[1]);
   need(um_model_precompute(context, model[2], &anew));
   assert_true(traced_equal(p[2], anew));
-  um_model_precomputed_destroy(context, &anew);
-  um_model_precomputed_destroy(context, &p[2]);
+  um_model_tables_destroy(context, &anew);
+  um_model_tables_destroy(context, &p[2]);
   um_model_destroy(context, &model[2]);
 }
 

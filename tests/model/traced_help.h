@@ -1,4 +1,4 @@
-/* Two geometry precomputations, number for number. */
+/* Two sets of geometry tables, number for number. */
 #ifndef UMBRA_TESTS_MODEL_TRACED_HELP_H
 #define UMBRA_TESTS_MODEL_TRACED_HELP_H
 
@@ -46,7 +46,7 @@ static bool mirrored_equal(const struct um_irradiation_mirrored *a,
 }
 
 /* All that a run looks at, by brute force. */
-static bool traced_equal(const struct um_model_precomputed *a, const struct um_model_precomputed *b)
+static bool traced_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   if (a->nobs != b->nobs || a->nsub != b->nsub) return false;
   size_t n = a->nobs * a->nsub, rows = a->loads->ntime * a->loads->nsurface;

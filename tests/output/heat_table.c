@@ -18,7 +18,7 @@ struct table {
 static void read_table(const struct heat_run *run, struct table *table)
 {
   const struct um_output_run out = {
-      .model = run->model, .precomputed = run->precomputed, .result = run->result};
+      .model = run->model, .tables = run->tables, .result = run->result};
   char *text = calloc(TEXT, 1), *rest, first[32] = "";
   FILE *file = tmpfile();
   table->nrow = 0;

@@ -55,7 +55,7 @@ struct subject {
   char scenario_path[UM_TEST_PATH], folder[UM_TEST_PATH], results[UM_TEST_PATH + 16];
   struct um_model_options options;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 
@@ -80,12 +80,12 @@ static enum um_status create_orbit(struct subject *s)
   return status;
 }
 
-static enum um_status precomputed(struct subject *s)
+static enum um_status tables(struct subject *s)
 {
-  struct um_model_precomputed *made = NULL;
+  struct um_model_tables *made = NULL;
   enum um_status status = um_model_precompute(s->context, s->model, &made);
   if (status != UM_OK) assert_null(made);
-  um_model_precomputed_destroy(s->context, &made);
+  um_model_tables_destroy(s->context, &made);
   return status;
 }
 
@@ -94,7 +94,7 @@ static enum um_status events(struct subject *s)
 {
   struct um_environment_event *event = NULL;
   size_t count;
-  double from = s->precomputed->t_first;
+  double from = s->tables->t_first;
   enum um_status status = um_model_events(s->context, s->model, from, from + 2.4e5, &event, &count);
   if (status == UM_OK)
     assert_true(count > 200);
@@ -107,7 +107,7 @@ static enum um_status events(struct subject *s)
 static enum um_status run(struct subject *s)
 {
   struct um_model_result *made = NULL;
-  enum um_status status = um_model_run(s->context, s->model, s->precomputed, &made);
+  enum um_status status = um_model_run(s->context, s->model, s->tables, &made);
   if (status != UM_OK) assert_null(made);
   um_model_result_destroy(s->context, &made);
   return status;
@@ -117,7 +117,7 @@ static enum um_status picture(struct subject *s)
 {
   struct um_optics_image *image = NULL;
   enum um_status status =
-      um_model_picture(s->context, s->model, s->precomputed, s->result, 0, 1, 1, 8, 1, &image);
+      um_model_picture(s->context, s->model, s->tables, s->result, 0, 1, 1, 8, 1, &image);
   if (status != UM_OK) assert_null(image);
   um_optics_image_destroy(s->context, &image);
   return status;
@@ -142,7 +142,7 @@ static enum um_status write_results(struct subject *s)
   struct stat there;
   struct um_core_folder *folder = NULL;
   const struct um_output_run out = {.model = s->model,
-                                    .precomputed = s->precomputed,
+                                    .tables = s->tables,
                                     .result = s->result,
                                     .command = "run",
                                     .version = "0",
@@ -188,14 +188,14 @@ static void need(const struct subject *s, enum um_status status)
 static void compute(struct subject *s)
 {
   need(s, um_model_create(s->context, s->scenario_path, &s->options, &s->model));
-  need(s, um_model_precompute(s->context, s->model, &s->precomputed));
-  need(s, um_model_run(s->context, s->model, s->precomputed, &s->result));
+  need(s, um_model_precompute(s->context, s->model, &s->tables));
+  need(s, um_model_run(s->context, s->model, s->tables, &s->result));
 }
 
 static void end(struct subject *s)
 {
   um_model_result_destroy(s->context, &s->result);
-  um_model_precomputed_destroy(s->context, &s->precomputed);
+  um_model_tables_destroy(s->context, &s->tables);
   um_model_destroy(s->context, &s->model);
   assert_int_equal(remove(s->scenario_path), 0);
   /* empty: not even a temporary folder is left */
@@ -251,7 +251,7 @@ static void test_model(void **state)
   compute(&s);
   sweep(&s, "scenario and model", create, 200);
   sweep(&s, "orbit alone", create_orbit, 10);
-  sweep(&s, "geometry precomputation", precomputed, 50);
+  sweep(&s, "geometry tables", tables, 50);
   sweep(&s, "eclipses", events, 1);
   sweep(&s, "run", run, 50);
   sweep(&s, "picture", picture, 3);
@@ -298,7 +298,7 @@ static void test_effects(void **state)
   compute(&s);
   sweep(&s, "registry", registry, 0);
   sweep(&s, "model with all effects", create, 200);
-  sweep(&s, "geometry precomputation with all effects", precomputed, 50);
+  sweep(&s, "geometry tables with all effects", tables, 50);
   sweep(&s, "run with all effects", run, 50);
   end(&s);
 }

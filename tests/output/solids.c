@@ -121,7 +121,7 @@ static void test_inside(void **state)
   (void)state;
   struct heat_run run = heat_compute(solid, NONE, NONE);
   const struct um_output_run out = {.model = run.model,
-                                    .precomputed = run.precomputed,
+                                    .tables = run.tables,
                                     .result = run.result,
                                     .command = "test",
                                     .version = "test"};

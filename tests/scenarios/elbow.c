@@ -20,7 +20,7 @@ static size_t row_of(const struct support_run *run, const char *utc)
   if (um_orbit_time_parse(run->context, utc, &t) != UM_OK)
     fail_msg("%s", um_core_message(run->context));
   for (size_t k = 0; k < run->result->nobs; k++)
-    if (fabs(run->precomputed->t_obs[k] - t) < 1e-3) return k;
+    if (fabs(run->tables->t_obs[k] - t) < 1e-3) return k;
   fail_msg("no observation at %s", utc);
   return 0;
 }
@@ -90,8 +90,8 @@ static void few_patches(void **state)
   struct support_run a, b;
   support_compute(UMBRA_SOURCE_DIR "/tests/scenarios/data/elbow", all, 1, &a);
   support_compute(UMBRA_SOURCE_DIR "/tests/scenarios/data/elbow", few, 2, &b);
-  assert_int_equal(a.precomputed->view_factors->patches->npatch, 112);
-  assert_int_equal(b.precomputed->view_factors->patches->npatch, 12);
+  assert_int_equal(a.tables->view_factors->patches->npatch, 112);
+  assert_int_equal(b.tables->view_factors->patches->npatch, 12);
   static const char *const place[] = {"bus.+y", "bus.interior", "array.front", "array.back"};
   for (int p = 0; p < 4; p++)
     for (size_t k = 0; k < a.result->nobs; k++)

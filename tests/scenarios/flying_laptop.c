@@ -64,8 +64,8 @@ static void counts(void **state)
   double large = 0.25 * UM_PI * 0.43 * 0.43 * (1.0 - 0.485 * 0.485);
   double small = 0.25 * UM_PI * 0.20 * 0.20 * (1.0 - 0.3 * 0.3), brightest = 0.0;
   for (size_t k = 0; k < r->nobs; k++) {
-    double range = run.precomputed->sample[k].range, rate = 0.0;
-    double airmass = um_environment_airmass_toward(run.precomputed->look[k].elevation);
+    double range = run.tables->sample[k].range, rate = 0.0;
+    double airmass = um_environment_airmass_toward(run.tables->look[k].elevation);
     for (size_t b = 0; b < r->nbin && r->bin_band[b] == 0; b++) {
       double intensity = 0.0;
       for (int m = 0; m < UM_MECHANISM_COUNT; m++)

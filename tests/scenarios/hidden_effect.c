@@ -43,8 +43,8 @@ static void is_seen_whole(const struct support_run *run, const struct page *page
   size_t lit = 0, penumbra = 0, dark = 0;
   double high = 0.0, low = 90.0;
   for (size_t k = 0; k < run->result->nobs; k++) {
-    double sunlit = run->precomputed->sunlit[k];
-    double elevation = run->precomputed->look[k * run->precomputed->nsub].elevation / UM_DEG;
+    double sunlit = run->tables->sunlit[k];
+    double elevation = run->tables->look[k * run->tables->nsub].elevation / UM_DEG;
     *(sunlit >= UM_SUNLIGHT_LEAST ? &lit : sunlit <= UM_UMBRA_MOST ? &dark : &penumbra) += 1;
     high = fmax(high, elevation);
     low = fmin(low, elevation);

@@ -46,7 +46,7 @@ static void describe(struct network *n, const struct support_run *run, double th
 /* Absorbed by the black walls at t [W]. */
 static void absorbed(struct network *n, double t, double q[WALLS])
 {
-  const struct um_irradiation_loads *l = n->run->precomputed->loads;
+  const struct um_irradiation_loads *l = n->run->tables->loads;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(n->run->model->geometry);
   while (n->row > 0 && l->t[n->row] > t) n->row--;
   while (n->row + 2 < l->ntime && l->t[n->row + 1] <= t) n->row++;
@@ -136,9 +136,9 @@ static void follow(const char *const *set, size_t nset, double through)
   support_compute(SCENARIO, off, 3, &dark);
   describe(&n, &run, through);
   for (int i = 0; i < 2 * WALLS; i++) t[i] = 293.15;
-  now = run.precomputed->loads->t[0];
+  now = run.tables->loads->t[0];
   for (size_t k = 0; k < run.result->nobs; k++) {
-    double until = run.precomputed->sample[k].t_tai;
+    double until = run.tables->sample[k].t_tai;
     while (now < until - 1e-6) {
       double h = fmin(1.0, until - now);
       step(&n, now, h, t);
@@ -190,7 +190,7 @@ static void switched_on(void **state)
   support_compute(SCENARIO, without, 1, &off);
   support_compute(SCENARIO, NULL, 0, &on);
   if (um_model_create(off.context, SCENARIO, NULL, &model) != UM_OK ||
-      um_model_run(off.context, model, off.precomputed, &result) != UM_OK)
+      um_model_run(off.context, model, off.tables, &result) != UM_OK)
     fail_msg("%s", um_core_message(off.context));
   um_model_result_destroy(off.context, &off.result);
   off.result = result;

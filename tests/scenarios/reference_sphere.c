@@ -52,7 +52,7 @@ static void darkness(const struct support_run *run, size_t *first, size_t *last)
 {
   *first = *last = 0;
   for (size_t k = 0; k < run->result->nobs; k++) {
-    if (run->precomputed->sample[k].sunlit_fraction > 0.0) continue;
+    if (run->tables->sample[k].sunlit_fraction > 0.0) continue;
     if (*first == 0) *first = k;
     *last = k;
   }
@@ -64,7 +64,7 @@ static void darkness(const struct support_run *run, size_t *first, size_t *last)
 /* Of the sphere toward the Earth: share of its sky, all directions of its surface together [1]. */
 static double earth_share(const struct support_run *run, size_t k)
 {
-  double s = run->model->environment.earth_radius / um_vec3_norm(run->precomputed->sample[k].r);
+  double s = run->model->environment.earth_radius / um_vec3_norm(run->tables->sample[k].r);
   return 0.5 * (1.0 - sqrt(1.0 - s * s));
 }
 
@@ -146,7 +146,7 @@ static void signal_in_bands(void **state)
   size_t first, last;
   compute(EMITTANCE, 1.0, &run);
   darkness(&run, &first, &last);
-  const struct um_environment_sample *s = &run.precomputed->sample[last];
+  const struct um_environment_sample *s = &run.tables->sample[last];
   double sine = run.model->environment.earth_radius / um_vec3_norm(s->r);
   double nadir = um_vec3_angle(um_vec3_scale(s->r, -1.0), s->to_observer);
   double cap = cap_integral(asin(sine), nadir), t = support_temperature(&run, "sphere")[last];

@@ -73,8 +73,8 @@ static void second_law(void **state)
     need(NULL, um_core_context_create(NULL, &run.context));
     need(run.context, um_model_create(run.context, path, &options, &run.model));
     switch_off(run.model);
-    need(run.context, um_model_precompute(run.context, run.model, &run.precomputed));
-    need(run.context, um_model_run(run.context, run.model, run.precomputed, &run.result));
+    need(run.context, um_model_precompute(run.context, run.model, &run.tables));
+    need(run.context, um_model_run(run.context, run.model, run.tables, &run.result));
     double warmest = 0.0, coldest = INFINITY;
     for (size_t k = 0; k < run.result->nobs * run.result->nnode; k++) {
       warmest = fmax(warmest, run.result->node_temperature[k]);

@@ -40,9 +40,9 @@ static double parabola(const double *t, const double *y, double at)
 static double before(const struct support_run *run, const double *temperature,
                      enum um_environment_event_kind kind)
 {
-  for (size_t e = 0; e < run->precomputed->nevent; e++) {
-    double edge = run->precomputed->event[e].t_tai - run->precomputed->t_obs[0];
-    if (run->precomputed->event[e].kind != kind || edge < 0.0) continue;
+  for (size_t e = 0; e < run->tables->nevent; e++) {
+    double edge = run->tables->event[e].t_tai - run->tables->t_obs[0];
+    if (run->tables->event[e].kind != kind || edge < 0.0) continue;
     size_t k = 3;
     while (k < run->result->nobs && support_time(run, k) < edge) k++;
     double t[3] = {support_time(run, k - 3), support_time(run, k - 2), support_time(run, k - 1)};
@@ -106,7 +106,7 @@ static void curve_errors(const char *facet_size, double *vis, double *lwir, doub
                     &run);
     const struct um_model_result *r = run.result;
     size_t b_vis = um_model_band_find(run.model, "vis"), b = um_model_band_find(run.model, "lwir");
-    const struct um_environment_sample *s = &run.precomputed->sample[0];
+    const struct um_environment_sample *s = &run.tables->sample[0];
     double e = um_environment_solar_band(&run.model->environment, 0.38e-6, 0.78e-6);
     double p = r->intensity[b_vis * UM_MECHANISM_COUNT + UM_MECHANISM_SUN] / (e * 0.2);
     double expected = lambert_sphere(um_vec3_angle(s->sun, s->to_observer));

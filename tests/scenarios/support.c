@@ -19,14 +19,14 @@ void support_compute(const char *path, const char *const *overrides, size_t nove
   *run = (struct support_run){0};
   need(NULL, um_core_context_create(NULL, &run->context));
   need(run->context, um_model_create(run->context, path, &options, &run->model));
-  need(run->context, um_model_precompute(run->context, run->model, &run->precomputed));
-  need(run->context, um_model_run(run->context, run->model, run->precomputed, &run->result));
+  need(run->context, um_model_precompute(run->context, run->model, &run->tables));
+  need(run->context, um_model_run(run->context, run->model, run->tables, &run->result));
 }
 
 void support_release(struct support_run *run)
 {
   um_model_result_destroy(run->context, &run->result);
-  um_model_precomputed_destroy(run->context, &run->precomputed);
+  um_model_tables_destroy(run->context, &run->tables);
   um_model_destroy(run->context, &run->model);
   um_core_context_destroy(&run->context);
 }
@@ -41,7 +41,7 @@ const double *support_temperature(const struct support_run *run, const char *pla
 
 double support_time(const struct support_run *run, size_t k)
 {
-  return run->precomputed->t_obs[k] - run->precomputed->t_obs[0];
+  return run->tables->t_obs[k] - run->tables->t_obs[0];
 }
 
 void support_close(const char *what, double value, double expected, double tolerance)

@@ -6,14 +6,14 @@
 #include <stdio.h>
 
 #include "model/build/model.h"
-#include "model/geometry/precomputed.h"
+#include "model/geometry/tables.h"
 #include "model/run/result.h"
 #include "tests/support/cmocka_all.h"
 
 struct support_run {
   struct um_context *context;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 

@@ -26,17 +26,17 @@ static enum um_status run(struct um_context *context, void *user, const double *
   const char *const changes[] = {change};
   struct um_model_options options = {.overrides = changes, .noverride = 1};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   snprintf(change, sizeof change, "optics.samples=%.0f", coordinate[0]);
   UM_CHECK(um_model_create(context, UMBRA_SOURCE_DIR "/tests/app/data/box.yaml", &options, &model));
-  UM_CHECK(um_model_precompute(context, model, &precomputed));
-  UM_CHECK(um_model_run(context, model, precomputed, &result));
+  UM_CHECK(um_model_precompute(context, model, &tables));
+  UM_CHECK(um_model_run(context, model, tables, &result));
   for (size_t i = 0; i < NVALUE; i++)
     value[i] = um_model_result_intensity(result, i / result->nband, i % result->nband, -1);
 done:
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return status;
 }

@@ -46,13 +46,13 @@ static void release(struct um_study **study, struct um_study_result **result)
 static void own_run(const char *set, const char *const with[2], double *value, size_t ntime)
 {
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *r = NULL;
   const struct um_model_options options = {
       .overrides = &set, .noverride = 1, .with = with, .nwith = 2};
   need(um_model_create(context, WORLD_SCENARIO, &options, &model));
-  need(um_model_precompute(context, model, &precomputed));
-  need(um_model_run(context, model, precomputed, &r));
+  need(um_model_precompute(context, model, &tables));
+  need(um_model_run(context, model, tables, &r));
   assert_int_equal(r->nobs, ntime);
   for (size_t k = 0; k < ntime; k++) {
     value[k] = r->irradiance[2 * k];
@@ -63,7 +63,7 @@ static void own_run(const char *set, const char *const with[2], double *value, s
     }
   }
   um_model_result_destroy(context, &r);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

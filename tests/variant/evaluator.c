@@ -146,19 +146,19 @@ static void cold_is_a_run_of_its_own(void **state)
   struct change c;
   const struct um_model_changes changes = key(&c, "parts.box.interior.power_W", 50.0);
   struct um_model *own = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *a = NULL, *b = NULL;
   struct um_variant v;
   need(um_model_create(context, FILE_NAME, &options, &own));
-  need(um_model_precompute(context, own, &precomputed));
-  need(um_model_run(context, own, precomputed, &a));
+  need(um_model_precompute(context, own, &tables));
+  need(um_model_run(context, own, tables, &a));
   need(um_variant_open(context, evaluator, &changes, &cold, &v));
   need(um_variant_observe(context, evaluator, &v, &b));
   assert_memory_equal(a->irradiance, b->irradiance, a->nobs * a->nband * sizeof(double));
   um_variant_close(context, &v);
   um_model_result_destroy(context, &a);
   um_model_result_destroy(context, &b);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &own);
 }
 
@@ -184,7 +184,7 @@ static void the_bound_holds(void **state)
   need(um_variant_open(context, own, &changes, NULL, &open));
   changes = key(&c, "environment.albedo", 0.34);
   need(um_variant_open(context, own, &changes, NULL, &v));
-  assert_int_equal(open.precomputed->nobs, 3);
+  assert_int_equal(open.tables->nobs, 3);
   um_variant_close(context, &v);
   um_variant_close(context, &open);
   um_variant_evaluator_destroy(context, &own);

@@ -102,12 +102,12 @@ static struct um_model_result *own_run(const char *override)
   const char *sets[] = {override};
   const struct um_model_options options = {.overrides = sets, .noverride = 1};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   if (um_model_create(context, path, &options, &model) == UM_OK &&
-      um_model_precompute(context, model, &precomputed) == UM_OK)
-    (void)um_model_run(context, model, precomputed, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+      um_model_precompute(context, model, &tables) == UM_OK)
+    (void)um_model_run(context, model, tables, &result);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   um_core_message_clear(context);
   return result;

@@ -71,7 +71,7 @@ static struct pair own_pair(struct um_model *model)
 
 static void compare_again(struct pair *p, struct um_model *model, double fitted)
 {
-  struct um_compare_run run = {model, p->plan, p->precomputed, p->result};
+  struct um_compare_run run = {model, p->plan, p->tables, p->result};
   um_compare_destroy(context, &p->comparison);
   assert_ok(um_compare_create(context, &run, fitted, &p->comparison));
 }
@@ -88,7 +88,7 @@ static void rank_correlation(const struct pair *p, const struct um_compare_chann
   assert_true(c->count <= sizeof residual / sizeof residual[0]);
   for (size_t i = 0; i < c->count; i++) {
     residual[i] = um_compare_residual_normalised(&p->comparison->residual[c->row[i]]);
-    sunlit[i] = p->precomputed->sunlit[p->plan->observation[c->row[i]]];
+    sunlit[i] = p->tables->sunlit[p->plan->observation[c->row[i]]];
   }
   assert_ok(um_compare_spearman(context, c->count, residual, sunlit, r, chance));
 }
@@ -98,7 +98,7 @@ static void check_channel(const struct pair *p, size_t i, size_t umbra)
   const struct um_compare_channel_comparison *channel = &p->comparison->channel[i];
   const struct um_compare_metrics *s = channel->segment;
   double sigma = i == 0 ? 1e-13 : 2e-14;
-  size_t nobs = p->precomputed->nobs;
+  size_t nobs = p->tables->nobs;
   assert_int_equal(channel->count, nobs);
   assert_int_equal(s[UM_SEGMENT_UMBRA].count, umbra);
   assert_int_equal(s[UM_SEGMENT_SUNLIT].count + s[UM_SEGMENT_PENUMBRA].count, nobs - umbra);
@@ -136,11 +136,11 @@ static void test_umbra_only(void **state)
   const char *const off[] = {"inter_reflection"};
   struct um_model *model = model_of(&(struct um_model_options){.without = off, .nwithout = 1});
   struct pair p = own_pair(model);
-  size_t umbra = 0, nobs = p.precomputed->nobs;
+  size_t umbra = 0, nobs = p.tables->nobs;
   for (size_t i = 0; i < p.measurements->count; i++)
-    if (p.precomputed->sunlit[p.plan->observation[i]] <= UM_UMBRA_MOST)
+    if (p.tables->sunlit[p.plan->observation[i]] <= UM_UMBRA_MOST)
       p.measurements->row[i].value += 3.0 * p.measurements->row[i].sigma;
-  for (size_t k = 0; k < nobs; k++) umbra += p.precomputed->sunlit[k] <= UM_UMBRA_MOST;
+  for (size_t k = 0; k < nobs; k++) umbra += p.tables->sunlit[k] <= UM_UMBRA_MOST;
   assert_true(umbra > 20 && umbra < nobs / 2);
   compare_again(&p, model, 0.0);
   assert_int_equal(p.comparison->nchannel, 2);
@@ -177,12 +177,12 @@ static void test_coordinates(void **state)
   const double *spin = coordinate(c, "spin_phase"), *sun = coordinate(c, "sun_on.grey_white_W_m2");
   const double *moon = coordinate(c, "moon_separation_deg");
   const double *airmass = coordinate(c, "airmass"), *elevation = coordinate(c, "elevation_deg");
-  size_t exact = 0, n = p.precomputed->nobs;
+  size_t exact = 0, n = p.tables->nobs;
   double leave = NAN;
-  for (size_t i = 0; i < p.precomputed->nevent; i++)
-    if (p.precomputed->event[i].kind == UM_EVENT_HALF_EXIT) leave = p.precomputed->event[i].t_tai;
+  for (size_t i = 0; i < p.tables->nevent; i++)
+    if (p.tables->event[i].kind == UM_EVENT_HALF_EXIT) leave = p.tables->event[i].t_tai;
   for (size_t k = 0; k < n; k++) {
-    const struct um_environment_sample *s = &p.precomputed->sample[k];
+    const struct um_environment_sample *s = &p.tables->sample[k];
     assert_true(fabs(time[k] - 4.0 * (double)k) < 1e-6);
     /* turned once in 240 s from the scenario's start; satellite times are earlier by light time */
     double turns = (s->t_tai - model->scenario->time->start) / 240.0;

@@ -17,9 +17,9 @@ static enum um_status everything(struct world *w, const struct um_compare_measur
   struct um_compare_measurements *made = NULL;
   enum um_status status;
   UM_CHECK(um_compare_plan_create(context, w->model, m, &plan));
-  struct um_compare_run run = {w->model, plan, w->precomputed, w->result};
+  struct um_compare_run run = {w->model, plan, w->tables, w->result};
   UM_CHECK(um_compare_create(context, &run, 0.0, &comparison));
-  UM_CHECK(um_compare_synth_create(context, w->model, w->precomputed, w->result, &o, "m", &made));
+  UM_CHECK(um_compare_synth_create(context, w->model, w->tables, w->result, &o, "m", &made));
 done:
   if (status != UM_OK) assert_null(made);
   um_compare_measurements_destroy(context, &made);
@@ -42,8 +42,7 @@ static void test_every_allocation(void **state)
   FILE *file = fopen("m.csv", "wb");
   assert_non_null(file);
   fputs(HEAD, file);
-  for (int k = 0; k < 5;
-       k++) /* the geometry precomputation's own times, so that it serves the plan */
+  for (int k = 0; k < 5; k++) /* the geometry tables' own times, so that they serve the plan */
     fprintf(file,
             DAY "08:%02dZ,band_irradiance,lwir,1e-12,\n" DAY "08:%02dZ,temperature,+x,280,1\n",
             4 * k, 4 * k);

@@ -94,13 +94,13 @@ static void test_two_plates(void **state)
     struct world w = {.model = model_of(&(struct um_model_options){
                           .overrides = (const char *const[]){SECOND}, .noverride = 1})};
     struct um_model_thermal_solution *heat;
-    assert_ok(um_model_precompute(context, w.model, &w.precomputed));
-    assert_ok(um_model_thermal_solution_create(context, w.model, w.precomputed, NULL, 1.0, &heat));
+    assert_ok(um_model_precompute(context, w.model, &w.tables));
+    assert_ok(um_model_thermal_solution_create(context, w.model, w.tables, NULL, 1.0, &heat));
     const struct um_geometry_mesh *mesh = um_geometry_mesh(w.model->geometry);
     double *warmer;
     assert_ok(um_core_allocate(context, mesh->nsurface, sizeof *warmer, &warmer));
     for (size_t s = 0; s < mesh->nsurface; s++) warmer[s] = mesh->surface[s].part == 1 ? 60.0 : 0.0;
-    assert_ok(um_model_run_warmer(context, w.model, w.precomputed, heat, warmer, &w.result));
+    assert_ok(um_model_run_warmer(context, w.model, w.tables, heat, warmer, &w.result));
     const struct um_model_grey_body *g = &w.result->grey_body[0];
     const struct um_instrument_grey_body *b = &g->two;
     bool prefers = um_instrument_grey_body_prefers_two(&g->one, b);
@@ -137,17 +137,17 @@ static void test_pass(void **state)
   struct um_compare_measurements *m;
   struct um_compare_retrieved *found;
   double lowest[2] = {INFINITY, INFINITY}, highest[2] = {0.0, 0.0};
-  assert_ok(um_model_precompute(context, w.model, &w.precomputed));
-  assert_ok(um_model_run(context, w.model, w.precomputed, &w.result));
+  assert_ok(um_model_precompute(context, w.model, &w.tables));
+  assert_ok(um_model_run(context, w.model, w.tables, &w.result));
   struct um_compare_synth o = {.relative = 1e-9, .seed = 1};
-  assert_ok(um_compare_synth_create(context, model, w.precomputed, w.result, &o, "m.csv", &m));
+  assert_ok(um_compare_synth_create(context, model, w.tables, w.result, &o, "m.csv", &m));
   for (size_t i = 0; i < m->count; i++) m->row[i].sigma = 0.01 * m->row[i].value;
   assert_ok(um_compare_retrieve(context, model, m, &found));
-  assert_int_equal(found->count, w.precomputed->nobs);
+  assert_int_equal(found->count, w.tables->nobs);
   for (size_t k = 0; k < found->count; k++) {
     const struct um_model_grey_body *g = &w.result->grey_body[k];
     const struct um_instrument_grey_body *one = &found->row[k].one;
-    int lit = w.precomputed->sunlit[k] > 0.5;
+    int lit = w.tables->sunlit[k] > 0.5;
     assert_int_equal(g->one.n, 1);
     assert_int_equal(g->two.n, 0);
     assert_close(one->temperature[0], g->one.temperature[0], 0.02);
@@ -157,7 +157,7 @@ static void test_pass(void **state)
     highest[lit] = fmax(highest[lit], g->one.temperature[0]);
     /* what is emitted alone: between the coldest and the warmest surface there is; in sunlight bare
      * metal reflects as much as it emits */
-    if (w.precomputed->sunlit[k] > 0.0) continue;
+    if (w.tables->sunlit[k] > 0.0) continue;
     double low = INFINITY, high = 0.0;
     for (size_t s = 0; s < w.result->nsurface; s++) {
       low = fmin(low, w.result->surface_temperature[k * w.result->nsurface + s]);
@@ -191,8 +191,8 @@ static void test_stated_error(void **state)
     char bands[1024];
     snprintf(bands, sizeof bands, "%s%s", other, stated[i]);
     struct world w = {.model = pass_in(bands, NULL)};
-    assert_ok(um_model_precompute(context, w.model, &w.precomputed));
-    assert_ok(um_model_run(context, w.model, w.precomputed, &w.result));
+    assert_ok(um_model_precompute(context, w.model, &w.tables));
+    assert_ok(um_model_run(context, w.model, w.tables, &w.result));
     size_t k = w.result->nobs - 1;
     value[i] = w.result->grey_body[k].one.temperature[0];
     /* ratio of b and c alone, by bisection */
@@ -224,11 +224,11 @@ static void test_compared(void **state)
   struct world w = {.model = model};
   struct um_compare_measurements *m;
   double chi2[2] = {0.0, 0.0}, dof[2] = {0.0, 0.0};
-  assert_ok(um_model_precompute(context, model, &w.precomputed));
-  assert_ok(um_model_run(context, model, w.precomputed, &w.result));
+  assert_ok(um_model_precompute(context, model, &w.tables));
+  assert_ok(um_model_run(context, model, w.tables, &w.result));
   for (uint64_t seed = 1; seed <= 20; seed++) {
     struct um_compare_synth o = {.relative = 0.01, .floor = 1e-3, .grey_body = true, .seed = seed};
-    assert_ok(um_compare_synth_create(context, model, w.precomputed, w.result, &o, "m.csv", &m));
+    assert_ok(um_compare_synth_create(context, model, w.tables, w.result, &o, "m.csv", &m));
     if (seed == 1) assert_ok(um_compare_measurements_write(context, m, "m.csv"));
     for (size_t i = 0; i < m->count; i++) {
       enum um_compare_quantity q = m->channel[m->row[i].channel].quantity;
@@ -284,11 +284,11 @@ static void test_floor(void **state)
     snprintf(text, sizeof text, bands, i == 0 ? "radiant_intensity" : "band_irradiance",
              0.5 / (range * range));
     struct world w = {.model = pass_in(text, NULL)};
-    assert_ok(um_model_precompute(context, w.model, &w.precomputed));
-    assert_ok(um_model_run(context, w.model, w.precomputed, &w.result));
+    assert_ok(um_model_precompute(context, w.model, &w.tables));
+    assert_ok(um_model_run(context, w.model, w.tables, &w.result));
     size_t k = w.result->nobs - 1;
     value[i] = w.result->grey_body[k].one.temperature[0];
-    range = w.precomputed->sample[k * w.precomputed->nsub].range;
+    range = w.tables->sample[k * w.tables->nsub].range;
     world_end(&w);
   }
   print_message("%.6f and %.6f K\n", value[0], value[1]);

@@ -188,7 +188,7 @@ static void test_glow(void **state)
     struct um_model_options options = {.overrides = sets, .noverride = n};
     assert_ok(um_model_create(context, SCENARIO, &options, &model));
     struct compared p = compare(model, HEAD TIME ",count_rate,imager,1,1" TAIL);
-    struct um_instrument_exposure e = um_model_expose(model, p.precomputed, p.result, 0, 0);
+    struct um_instrument_exposure e = um_model_expose(model, p.tables, p.result, 0, 0);
     per_pixel[n - 2] = e.background / 0.01 / UM_PI; /* a radius of 2 arcsec is one pixel */
     assert_true(e.snr > 0.0);
     compared_end(&p);

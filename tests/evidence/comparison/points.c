@@ -76,12 +76,12 @@ static void flat_plate(void **state)
   double expected = -2.5 * log10(at_aperture * lambda * lambda / (UM_LIGHT_SPEED * 3631e-26));
   print_message("plate above the equator: %.4f mag, by hand %.4f mag\n", p.comparison->model[0],
                 expected);
-  assert_true(p.precomputed->sunlit[0] == 1.0);
+  assert_true(p.tables->sunlit[0] == 1.0);
   if (!(fabs(p.comparison->model[0] - expected) <= 1e-3))
     fail_msg("%.6f mag, expected %.6f", p.comparison->model[0], expected);
-  assert_true(fabs(p.precomputed->look[0].range - range) < 1e-4);
-  assert_true(fabs(p.precomputed->look[0].elevation - 0.5 * UM_PI) < 1e-7);
-  assert_true(p.precomputed->sample[0].t_tai < p.precomputed->t_obs[0]); /* light time */
+  assert_true(fabs(p.tables->look[0].range - range) < 1e-4);
+  assert_true(fabs(p.tables->look[0].elevation - 0.5 * UM_PI) < 1e-7);
+  assert_true(p.tables->sample[0].t_tai < p.tables->t_obs[0]); /* light time */
   assert_true(p.result->place[0].mean[0] == 250.0);
   compared_end(&p);
   um_model_destroy(context, &model);
@@ -109,7 +109,7 @@ static void rows(void **state)
     for (size_t k = 1; k < i; k++) assert_true(p.plan->observation[i] != p.plan->observation[k]);
   for (size_t i = 0; i < 6; i++) {
     const struct um_compare_measurement *row = &p.measurements->row[i];
-    const struct um_orbit_look *look = &p.precomputed->look[p.plan->observation[i]];
+    const struct um_orbit_look *look = &p.tables->look[p.plan->observation[i]];
     assert_true(p.plan->time[p.plan->observation[i]] == row->t_tai);
     assert_true(fabs(look->elevation - row->elevation) < 1e-7);
     if (row->elevation < 1.5) assert_true(fabs(look->azimuth - row->azimuth) < 1e-9);
@@ -160,7 +160,7 @@ static void row_refusals(void **state)
 {
   (void)state;
   struct um_model *model = model_with(NULL);
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   refused_rows(model, "time_utc,quantity,of,value,sigma\n" TIME ",magnitude_ab,v,6,0.1\n",
                "m.csv: header: columns satellite_height_km, azimuth_deg and elevation_deg are "
                "missing; accepted: all three, because the scenario's orbit is 'points'");
@@ -179,11 +179,11 @@ static void row_refusals(void **state)
                "m.csv:2: column 'time_utc': 2022-03-22T00:00:00.000Z is outside the scenario; "
                "accepted: 2022-03-20T00:00:00.000Z to 2022-03-21T00:00:00.000Z (time.start_utc, "
                "time.stop_utc)");
-  assert_refused(um_model_precompute(context, model, &precomputed), UM_ERR_INPUT,
+  assert_refused(um_model_precompute(context, model, &tables), UM_ERR_INPUT,
                  "scenario.yaml:5: orbit.points: has no times and places of its own; accepted: "
                  "measurements with satellite_height_km, azimuth_deg and elevation_deg (umbra "
                  "compare, diagnose, fit)");
-  assert_null(precomputed);
+  assert_null(tables);
   um_model_destroy(context, &model);
 }
 

@@ -9,7 +9,7 @@
 
 /* Every quantity once, out of the order of the channels, tracks interleaved; flagged rows may be
  * anything. Values are those of a run at the same times (same bytes: the same geometry
- * precomputation), of which E = I / R^2 without exposure, and the places are the ones that short
+ * tables), of which E = I / R^2 without exposure, and the places are the ones that short
  * and full names mean. */
 static void test_values(void **state)
 {
@@ -29,7 +29,7 @@ static void test_values(void **state)
   static const size_t expected[] = {1, 1, 2, 2, UM_COMPARE_NOWHERE, 0, 1, 2, 2, UM_COMPARE_NOWHERE};
   for (size_t i = 0; i < 10; i++) assert_true(p.plan->observation[i] == expected[i]);
   const struct um_model_result *r = p.result;
-  double range = p.precomputed->look[1].range;
+  double range = p.tables->look[1].range;
   assert_true(fabs(value[1] * range * range / um_model_result_intensity(r, 1, 1, -1) - 1.0) <
               1e-12); /* sums of five mechanisms in another order */
   assert_true(value[2] == um_model_result_intensity(r, 2, 0, -1));
@@ -236,13 +236,12 @@ static void test_horizon(void **state)
     assert_ok(um_compare_measurements_read(context, "m.csv", &p.measurements));
     assert_ok(um_compare_plan_create(context, model, p.measurements, &p.plan));
     um_core_message_clear(context);
-    assert_int_equal(um_compare_predict(context, p.plan, p.precomputed, p.result, &value),
-                     UM_ERR_INPUT);
+    assert_int_equal(um_compare_predict(context, p.plan, p.tables, p.result, &value), UM_ERR_INPUT);
     char message[256];
     snprintf(message, sizeof message,
              "m.csv:2: column 'time_utc': the satellite is below the horizon (elevation %.2f deg); "
              "accepted: rows above it, or a flag that leaves the row out",
-             p.precomputed->look[0].elevation / UM_DEG);
+             p.tables->look[0].elevation / UM_DEG);
     assert_string_equal(um_core_message(context), message);
     um_compare_plan_destroy(context, &p.plan);
     um_compare_measurements_destroy(context, &p.measurements);

@@ -52,8 +52,8 @@ struct seen {
 
 static void place_moon(const struct um_model *model, const struct compared *p, struct seen *s)
 {
-  const struct um_orbit_look *l = &p->precomputed->look[0];
-  const struct um_environment_sample *sample = &p->precomputed->sample[0];
+  const struct um_orbit_look *l = &p->tables->look[0];
+  const struct um_environment_sample *sample = &p->tables->sample[0];
   struct um_vec3 station = um_vec3_axpy(l->r_gcrs, l->range, l->to_observer);
   struct um_vec3 moon = um_vec3_sub(um_orbit_moon_position(sample->t_tai), station);
   struct um_vec3 sun = um_vec3_scale(sample->sun, sample->sun_distance);
@@ -75,9 +75,9 @@ static struct seen look(const char *time, double azimuth, double elevation, cons
   assert_ok(um_model_create(context, SCENARIO, &options, &model));
   struct compared p = compare(model, rows);
   const struct um_instrument_sensor *cam = &model->sensor[0].optics;
-  struct um_instrument_exposure e = um_model_expose(model, p.precomputed, p.result, 0, 0);
+  struct um_instrument_exposure e = um_model_expose(model, p.tables, p.result, 0, 0);
   struct um_instrument_bins bins = um_model_bins(p.result, 0, model->sensor[0].efficiency);
-  s.background = um_model_pixel_background(model, p.precomputed, p.result, 0, 0);
+  s.background = um_model_pixel_background(model, p.tables, p.result, 0, 0);
   double zero = um_instrument_count_rate_ab0(cam, &bins) * cam->gain;
   s.magnitude = -2.5 * log10(s.background / (2.0 * 4.0 * zero));
   s.snr = e.snr;
@@ -85,7 +85,7 @@ static struct seen look(const char *time, double azimuth, double elevation, cons
   s.rate = p.result->count_rate[0];
   s.irradiance = p.result->irradiance[0];
   struct um_model_sky sky;
-  um_model_sky(model, p.precomputed, 0, 0.4e-6, 0.75e-6, &sky);
+  um_model_sky(model, p.tables, 0, 0.4e-6, 0.75e-6, &sky);
   s.radiance = um_model_sky_radiance(&sky, 0.50e-6, 0.58e-6);
   place_moon(model, &p, &s);
   compared_end(&p);

@@ -26,8 +26,7 @@ static void measure(const char *const *with, size_t nwith, const char *const *pl
                                          .temperature_sigma = 0.3};
   struct world w = world_of(&options);
   struct um_compare_measurements *m;
-  assert_ok(
-      um_compare_synth_create(context, w.model, w.precomputed, w.result, &noise, "m.csv", &m));
+  assert_ok(um_compare_synth_create(context, w.model, w.tables, w.result, &noise, "m.csv", &m));
   remove("m.csv");
   assert_ok(um_compare_measurements_write(context, m, "m.csv"));
   um_compare_measurements_destroy(context, &m);

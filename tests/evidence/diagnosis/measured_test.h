@@ -16,16 +16,16 @@ static inline double measured_make(struct um_context *context, const char *path,
 {
   const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   if (um_model_create(context, path, options, &model) != UM_OK ||
-      um_model_precompute(context, model, &precomputed) != UM_OK ||
-      um_model_run(context, model, precomputed, &result) != UM_OK ||
-      um_compare_synth_create(context, model, precomputed, result, &noise, "made", out) != UM_OK)
+      um_model_precompute(context, model, &tables) != UM_OK ||
+      um_model_run(context, model, tables, &result) != UM_OK ||
+      um_compare_synth_create(context, model, tables, result, &noise, "made", out) != UM_OK)
     fail_msg("%s: %s", path, um_core_message(context));
-  double first = precomputed->t_obs[0];
+  double first = tables->t_obs[0];
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return first;
 }

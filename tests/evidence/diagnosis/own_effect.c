@@ -45,20 +45,19 @@ static double measure(const char *path, const char *with, const struct um_compar
                       struct um_compare_measurements **out)
 {
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_model_options options = {.effect_files = files, .neffect_file = 1};
   double largest = 0.0;
   options.with = &with;
   options.nwith = with != NULL;
   OK(um_model_create(context, path, &options, &model));
-  OK(um_model_precompute(context, model, &precomputed));
-  OK(um_model_run(context, model, precomputed, &result));
+  OK(um_model_precompute(context, model, &tables));
+  OK(um_model_run(context, model, tables, &result));
   for (size_t k = 0; k < result->nobs; k++) largest = fmax(largest, result->irradiance[2 * k]);
-  if (out != NULL)
-    OK(um_compare_synth_create(context, model, precomputed, result, noise, "made", out));
+  if (out != NULL) OK(um_compare_synth_create(context, model, tables, result, noise, "made", out));
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return largest;
 }

@@ -72,13 +72,13 @@ static inline void measure(void)
                                          .nplace = 2,
                                          .temperature_sigma = 0.3};
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_compare_measurements *made;
   assert_ok(um_model_create(context, "scene", &truth, &model));
-  assert_ok(um_model_precompute(context, model, &precomputed));
-  assert_ok(um_model_run(context, model, precomputed, &result));
-  assert_ok(um_compare_synth_create(context, model, precomputed, result, &noise, "m.csv", &made));
+  assert_ok(um_model_precompute(context, model, &tables));
+  assert_ok(um_model_run(context, model, tables, &result));
+  assert_ok(um_compare_synth_create(context, model, tables, result, &noise, "m.csv", &made));
   assert_ok(um_compare_measurements_write(context, made, "m.csv"));
   FILE *file = fopen("m.csv", "ab");
   assert_non_null(file);
@@ -86,7 +86,7 @@ static inline void measure(void)
   assert_int_equal(fclose(file), 0);
   um_compare_measurements_destroy(context, &made);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

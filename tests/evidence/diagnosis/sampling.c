@@ -33,8 +33,7 @@ static void measure(void)
   const struct um_compare_synth noise = {.relative = 0.01, .floor = 0.001, .seed = 11};
   struct world w = world_of(&options);
   struct um_compare_measurements *m;
-  assert_ok(
-      um_compare_synth_create(context, w.model, w.precomputed, w.result, &noise, "m.csv", &m));
+  assert_ok(um_compare_synth_create(context, w.model, w.tables, w.result, &noise, "m.csv", &m));
   remove("m.csv");
   assert_ok(um_compare_measurements_write(context, m, "m.csv"));
   um_compare_measurements_destroy(context, &m);
@@ -59,9 +58,8 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
   struct um_compare_comparison *c;
   double chi2 = 0.0;
   assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, false, &run));
-  assert_int_equal(run.variant.precomputed->sampling.samples, f->samples);
-  struct um_compare_run compared = {run.variant.model, f->plan, run.variant.precomputed,
-                                    run.result};
+  assert_int_equal(run.variant.tables->sampling.samples, f->samples);
+  struct um_compare_run compared = {run.variant.model, f->plan, run.variant.tables, run.result};
   assert_ok(um_compare_create(context, &compared, 0.0, &c));
   for (size_t j = 0; j < f->observations.count; j++) {
     double residual = (f->observations.measured[j] - f->cache->base[j]) / f->observations.sigma[j];
@@ -84,10 +82,10 @@ static void withhold(struct um_sensitivity_forward *f)
   struct um_model_result *result;
   f->instants.sampling = (struct um_model_sampling){
       f->samples_before, f->model->scenario->optics->interreflection_samples};
-  assert_ok(um_model_precomputed_resample(
-      context, f->model, um_variant_base_precomputed(context, f->evaluator), f->instants.sampling));
-  assert_ok(um_model_run_with(context, f->model, own->precomputed, own->heat, &result));
-  assert_ok(um_compare_predict(context, f->plan, own->precomputed, result, f->cache->predicted));
+  assert_ok(um_model_tables_resample(
+      context, f->model, um_variant_base_tables(context, f->evaluator), f->instants.sampling));
+  assert_ok(um_model_run_with(context, f->model, own->tables, own->heat, &result));
+  assert_ok(um_compare_predict(context, f->plan, own->tables, result, f->cache->predicted));
   um_model_result_destroy(context, &result);
   um_compare_modelled(f->measurements, f->observations.count, f->observations.row,
                       f->cache->predicted, f->cache->base);

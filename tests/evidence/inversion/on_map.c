@@ -51,7 +51,7 @@ static void model_read_back(void **state)
   struct um_model *model = grey_model();
   struct um_compare_measurements *m = NULL;
   struct um_compare_plan *plan = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct um_compare_on_map *on_map = NULL;
   struct um_model_map *map = NULL;
@@ -60,9 +60,9 @@ static void model_read_back(void **state)
   put_rows(NULL);
   assert_ok(um_compare_measurements_read(context, "m.csv", &m));
   assert_ok(um_compare_plan_create(context, model, m, &plan));
-  assert_ok(um_compare_plan_trace(context, model, plan, &precomputed));
-  assert_ok(um_model_run(context, model, precomputed, &result));
-  assert_ok(um_compare_predict(context, plan, precomputed, result, value));
+  assert_ok(um_compare_plan_trace(context, model, plan, &tables));
+  assert_ok(um_model_run(context, model, tables, &result));
+  assert_ok(um_compare_predict(context, plan, tables, result, value));
   for (size_t i = 0; i < 5; i++) value[i] = 1.0; /* dark */
   um_compare_plan_destroy(context, &plan);
   um_compare_measurements_destroy(context, &m);
@@ -91,7 +91,7 @@ static void model_read_back(void **state)
   um_compare_on_map_destroy(context, &on_map);
   um_compare_measurements_destroy(context, &m);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

@@ -46,17 +46,17 @@ static struct um_model *model_with(const char *path, int samples, const char *co
 static void measure(struct um_model *model, double noise, uint64_t seed)
 {
   struct um_compare_synth o = {.relative = noise, .floor = 1e-3, .seed = seed};
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   struct um_compare_measurements *m;
-  assert_ok(um_model_precompute(context, model, &precomputed));
-  assert_ok(um_compare_refine(context, model, precomputed, UM_COMPARE_MODEL_SHARE,
+  assert_ok(um_model_precompute(context, model, &tables));
+  assert_ok(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE,
                               um_compare_synth_share, &o, &result, NULL));
-  assert_ok(um_compare_synth_create(context, model, precomputed, result, &o, "m.csv", &m));
+  assert_ok(um_compare_synth_create(context, model, tables, result, &o, "m.csv", &m));
   assert_ok(um_compare_measurements_write(context, m, "m.csv"));
   um_compare_measurements_destroy(context, &m);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
 }
 
 /* What umbra compare says. */
@@ -84,10 +84,10 @@ static struct said compare(struct um_model *model)
   um_compare_destroy(context, &p.comparison);
   um_model_result_destroy(context, &p.result);
   struct um_compare_share_user user = {model, p.plan};
-  assert_ok(um_compare_refine(context, model, p.precomputed, UM_COMPARE_MODEL_SHARE,
+  assert_ok(um_compare_refine(context, model, p.tables, UM_COMPARE_MODEL_SHARE,
                               um_compare_share_of_plan, &user, &p.result, &said.refinement));
-  assert_int_equal(p.precomputed->sampling.samples, said.refinement.samples);
-  struct um_compare_run run = {model, p.plan, p.precomputed, p.result};
+  assert_int_equal(p.tables->sampling.samples, said.refinement.samples);
+  struct um_compare_run run = {model, p.plan, p.tables, p.result};
   assert_ok(um_compare_create(context, &run, 0.0, &p.comparison));
   said.chi2_reduced = p.comparison->chi2_reduced;
   said.share = p.comparison->model_share;
@@ -158,11 +158,11 @@ static struct um_model_result *result_with(const char *const *with, size_t nwith
 {
   const struct um_model_options options = {.with = with, .nwith = nwith};
   struct um_model *model = model_of(&options);
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *r;
-  assert_ok(um_model_precompute(context, model, &precomputed));
-  assert_ok(um_model_run(context, model, precomputed, &r));
-  um_model_precomputed_destroy(context, &precomputed);
+  assert_ok(um_model_precompute(context, model, &tables));
+  assert_ok(um_model_run(context, model, tables, &r));
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return r;
 }

@@ -23,7 +23,7 @@ static void write_synth(const struct world *w, uint64_t seed, double noise, cons
   o.seed = seed;
   o.relative *= noise;
   o.floor *= noise;
-  assert_ok(um_compare_synth_create(context, w->model, w->precomputed, w->result, &o, path, &m));
+  assert_ok(um_compare_synth_create(context, w->model, w->tables, w->result, &o, path, &m));
   assert_ok(um_compare_measurements_write(context, m, path));
   um_compare_measurements_destroy(context, &m);
 }
@@ -40,21 +40,21 @@ static void test_complete_model(void **state)
   double sum = 0.0, squares = 0.0;
   for (uint64_t seed = 1; seed <= SEEDS; seed++) {
     write_synth(&w, seed, 1.0, "m.csv");
-    if (p.precomputed == NULL) {
+    if (p.tables == NULL) {
       p = pair_of(w.model, "m.csv", 0.0);
-    } else { /* the same times: the same geometry precomputation and run */
+    } else { /* the same times: the same geometry tables and run */
       um_compare_destroy(context, &p.comparison);
       um_compare_plan_destroy(context, &p.plan);
       um_compare_measurements_destroy(context, &p.measurements);
       assert_ok(um_compare_measurements_read(context, "m.csv", &p.measurements));
       assert_ok(um_compare_plan_create(context, w.model, p.measurements, &p.plan));
-      struct um_compare_run run = {w.model, p.plan, p.precomputed, p.result};
+      struct um_compare_run run = {w.model, p.plan, p.tables, p.result};
       assert_ok(um_compare_create(context, &run, 0.0, &p.comparison));
     }
     assert_int_equal(p.comparison->nchannel, 4);
     for (size_t i = 0; i < 4; i++) {
       const struct um_compare_metrics *all = &p.comparison->channel[i].all;
-      assert_int_equal(all->count, w.precomputed->nobs);
+      assert_int_equal(all->count, w.tables->nobs);
       if (!(fabs(all->chi2 - all->dof) <= 4.0 * sqrt(2.0 * all->dof)))
         fail_msg("seed %zu channel %zu: chi2 %g of %g", (size_t)seed, i, all->chi2, all->dof);
       if (all->white_p < 0.01) coloured++;
@@ -144,12 +144,12 @@ static void test_seeds(void **state)
   o.seed = bare.seed = 3;
   bare.nplace = 0;
   other.seed = 4;
-  assert_ok(um_compare_synth_create(context, w.model, w.precomputed, w.result, &o, "a", &a));
-  assert_ok(um_compare_synth_create(context, w.model, w.precomputed, w.result, &bare, "b", &b));
-  assert_ok(um_compare_synth_create(context, w.model, w.precomputed, w.result, &other, "c", &c));
-  assert_int_equal(a->count, 4 * w.precomputed->nobs);
-  assert_int_equal(b->count, 2 * w.precomputed->nobs);
-  for (size_t k = 0; k < w.precomputed->nobs; k++)
+  assert_ok(um_compare_synth_create(context, w.model, w.tables, w.result, &o, "a", &a));
+  assert_ok(um_compare_synth_create(context, w.model, w.tables, w.result, &bare, "b", &b));
+  assert_ok(um_compare_synth_create(context, w.model, w.tables, w.result, &other, "c", &c));
+  assert_int_equal(a->count, 4 * w.tables->nobs);
+  assert_int_equal(b->count, 2 * w.tables->nobs);
+  for (size_t k = 0; k < w.tables->nobs; k++)
     for (size_t i = 0; i < 2; i++) {
       assert_true(a->row[4 * k + i].value == b->row[2 * k + i].value);
       assert_true(a->row[4 * k + i].value != c->row[4 * k + i].value);
@@ -188,7 +188,7 @@ static void test_refusals(void **state)
        "material:NAME"}};
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     assert_refused(
-        um_compare_synth_create(context, w.model, w.precomputed, w.result, &cases[i].o, "m", &m),
+        um_compare_synth_create(context, w.model, w.tables, w.result, &cases[i].o, "m", &m),
         UM_ERR_INPUT, cases[i].message);
     assert_null(m);
   }

@@ -1,4 +1,4 @@
-/* What is computed with geometry precomputation and heat used again is what a run of its own gives.
+/* What is computed with geometry tables and heat used again is what a run of its own gives.
  */
 #include "model/scenario/scenario_read.h"
 #include "tests/evidence/sensitivity/forward_test.h"
@@ -7,9 +7,9 @@
 static const struct {
   const char *effect, *target;
   double value;
-} kinds[] = {{"albedo_level", NULL, 1.2},     /* environment, loads */
-             {"earthshine_level", NULL, 1.5}, /* environment, behind the geometry precomputation */
-             {"shadow_radius", NULL, 20.0},   /* environment, events */
+} kinds[] = {{"albedo_level", NULL, 1.2},              /* environment, loads */
+             {"earthshine_level", NULL, 1.5},          /* environment, behind the geometry tables */
+             {"shadow_radius", NULL, 20.0},            /* environment, events */
              {"solar_absorptance", "grey_white", 0.1}, /* material, heat and light */
              {"roughness", "grey_panel", 1.3},         /* material, light alone */
              {"area", "panel", 1.2},                   /* geometry */
@@ -61,7 +61,7 @@ static void test_same_bits(void **state)
       fail_msg("%s: differs by %g sigma", kinds[k].effect, largest_difference(f, value, expected));
     if (memcmp(value, base, sizeof value) == 0) fail_msg("%s: changes nothing", kinds[k].effect);
     if (k % 4 != 0) continue;
-    /* with another effect on the same geometry precomputation, and back */
+    /* with another effect on the same geometry tables, and back */
     assert_ok(um_sensitivity_forward_evaluate(context, f, a, 2, again));
     assert_ok(fresh_values(&options, f, a, 2, expected));
     if (memcmp(again, expected, sizeof value) != 0) fail_msg("%s and emittance", kinds[k].effect);
@@ -81,8 +81,7 @@ static void test_same_bits(void **state)
 static void test_periodic(void **state)
 {
   (void)state;
-  static const size_t some[] = {
-      3, 9}; /* of kinds: one that warms, one of another geometry precomputation */
+  static const size_t some[] = {3, 9}; /* of kinds: one that warms, one of other geometry tables */
   const struct um_model_options options = {.without = without_albedo, .nwithout = 1};
   put_world("");
   struct um_compare_measurements *m = measured();
@@ -115,13 +114,13 @@ static void test_run(void **state)
   double value[48], rows[60];
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, false, &run));
-  assert_ok(um_compare_predict(context, f->plan, run.variant.precomputed, run.result, rows));
+  assert_ok(um_compare_predict(context, f->plan, run.variant.tables, run.result, rows));
   for (size_t j = 0; j < f->observations.count; j++)
     if (m->channel[f->observations.channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
       assert_true(rows[f->observations.row[j]] == value[j]);
   um_sensitivity_forward_run_release(context, &run);
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
-  assert_int_equal(run.variant.precomputed->nobs, 181); /* 12 minutes, every 4 s */
+  assert_int_equal(run.variant.tables->nobs, 181); /* 12 minutes, every 4 s */
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_destroy(context, &f);

@@ -88,7 +88,7 @@ static inline enum um_status fresh_values(const struct um_model_options *options
 {
   struct um_model_options all = options == NULL ? (struct um_model_options){0} : *options;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   char *text[8];
   double *rows = malloc(forward->measurements->count * sizeof *rows);
@@ -117,15 +117,15 @@ static inline enum um_status fresh_values(const struct um_model_options *options
   all.with = (const char *const *)text;
   all.nwith = before + n;
   assert_ok(um_model_create(context, SCENARIO, &all, &model));
-  assert_ok(um_compare_plan_trace(context, model, forward->plan, &precomputed));
-  assert_ok(um_model_run(context, model, precomputed, &result));
-  assert_ok(um_compare_predict(context, forward->plan, precomputed, result, rows));
+  assert_ok(um_compare_plan_trace(context, model, forward->plan, &tables));
+  assert_ok(um_model_run(context, model, tables, &result));
+  assert_ok(um_compare_predict(context, forward->plan, tables, result, rows));
   um_compare_modelled(forward->measurements, forward->observations.count, forward->observations.row,
                       rows, value);
   free(rows);
   for (size_t i = 0; i < all.nwith; i++) free(text[i]);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   return UM_OK;
 }

@@ -130,7 +130,7 @@ static enum um_status run_with_range(const char *range, const char *outside)
 {
   struct um_context *context = NULL;
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   const char *overrides[] = {"material_files=[model_range.yaml]", "parts.panel.front=paint",
                              outside};
@@ -147,11 +147,11 @@ static enum um_status run_with_range(const char *range, const char *outside)
   assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
   um_core_log_set_sink(context, hear, NULL);
   enum um_status status = um_model_create(context, "model_panels.yaml", &options, &model);
-  if (status == UM_OK) status = um_model_precompute(context, model, &precomputed);
-  if (status == UM_OK) status = um_model_run(context, model, precomputed, &result);
+  if (status == UM_OK) status = um_model_precompute(context, model, &tables);
+  if (status == UM_OK) status = um_model_run(context, model, tables, &result);
   if (status != UM_OK) snprintf(said, sizeof said, "%s", um_core_message(context));
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
   um_core_context_destroy(&context);
   remove("model_range.yaml");

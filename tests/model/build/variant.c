@@ -55,11 +55,11 @@ static void need(enum um_status status)
 /* Light and temperatures of a model; the caller destroys. */
 static struct um_model_result *run(const struct um_model *model)
 {
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
-  need(um_model_precompute(context, model, &precomputed));
-  need(um_model_run(context, model, precomputed, &result));
-  um_model_precomputed_destroy(context, &precomputed);
+  need(um_model_precompute(context, model, &tables));
+  need(um_model_run(context, model, tables, &result));
+  um_model_tables_destroy(context, &tables);
   return result;
 }
 

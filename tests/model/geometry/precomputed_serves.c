@@ -1,4 +1,4 @@
-/* Which models a geometry precomputation serves: for every key below the answer is that of tracing
+/* Which models geometry tables serve: for every key below the answer is that of tracing
  * anew and comparing all that was traced, number for number; and for every member of the
  * environment, whether what is traced depends on it. */
 #include <stddef.h>
@@ -104,7 +104,7 @@ static void test_serves_as_traced(void **state)
 {
   (void)state;
   struct um_model *made = NULL;
-  struct um_model_precomputed *own = NULL;
+  struct um_model_tables *own = NULL;
   size_t wrong = 0;
   FILE *file = fopen(FILE_NAME, "w");
   assert_non_null(file);
@@ -114,7 +114,7 @@ static void test_serves_as_traced(void **state)
   need(um_model_precompute(context, made, &own));
   for (size_t i = 0; i < CHANGES; i++) {
     struct um_model *model = NULL;
-    struct um_model_precomputed *anew = NULL;
+    struct um_model_tables *anew = NULL;
     const struct um_model_options options = {.overrides = &changes[i].set,
                                              .noverride = changes[i].set != NULL ? 1 : 0,
                                              .with = &changes[i].with,
@@ -124,16 +124,16 @@ static void test_serves_as_traced(void **state)
     if (um_model_create(context, FILE_NAME, &options, &model) != UM_OK)
       fail_msg("%s: %s", name, um_core_message(context));
     need(um_model_precompute(context, model, &anew));
-    need(um_model_precomputed_serves(context, made, own, NULL, model, &serves));
+    need(um_model_tables_serves(context, made, own, NULL, model, &serves));
     bool equal = traced_equal(own, anew);
     if (serves != (changes[i].expected == SERVES) || equal != (changes[i].expected != ANOTHER)) {
       print_error("%s: serves %d, traced anew %d\n", name, serves, equal);
       wrong++;
     }
-    um_model_precomputed_destroy(context, &anew);
+    um_model_tables_destroy(context, &anew);
     um_model_destroy(context, &model);
   }
-  um_model_precomputed_destroy(context, &own);
+  um_model_tables_destroy(context, &own);
   um_model_destroy(context, &made);
   remove(FILE_NAME);
   assert_int_equal(wrong, 0);

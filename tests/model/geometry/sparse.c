@@ -39,7 +39,7 @@ static const char scenario[] =
 static const struct um_model_instants sparse = {.sparse = true};
 static char path[UM_TEST_PATH];
 static struct um_model *model;
-static struct um_model_precomputed *dense, *few;
+static struct um_model_tables *dense, *few;
 
 static void need(enum um_status status)
 {
@@ -58,8 +58,8 @@ static int set_up(void **state)
 
 static int tear_down(void **state)
 {
-  um_model_precomputed_destroy(context, &dense);
-  um_model_precomputed_destroy(context, &few);
+  um_model_tables_destroy(context, &dense);
+  um_model_tables_destroy(context, &few);
   um_model_destroy(context, &model);
   unlink(path);
   return context_tear_down(state);
@@ -179,18 +179,18 @@ static void test_serves(void **state)
   const char *const step[] = {"thermal.step_s=2"};
   const struct um_model_options options = {.overrides = step, .noverride = 1};
   bool serves;
-  need(um_model_precomputed_serves(context, model, few, &sparse, model, &serves));
+  need(um_model_tables_serves(context, model, few, &sparse, model, &serves));
   assert_true(serves);
-  need(um_model_precomputed_serves(context, model, few, NULL, model, &serves));
+  need(um_model_tables_serves(context, model, few, NULL, model, &serves));
   assert_false(serves);
-  need(um_model_precomputed_serves(context, model, dense, &sparse, model, &serves));
+  need(um_model_tables_serves(context, model, dense, &sparse, model, &serves));
   assert_false(serves);
   struct um_model *stated;
-  struct um_model_precomputed *p;
+  struct um_model_tables *p;
   need(um_model_create(context, path, &options, &stated));
   need(um_model_precompute_over(context, stated, &sparse, &p));
   assert_true(!p->sparse && p->seen == p->loads);
-  um_model_precomputed_destroy(context, &p);
+  um_model_tables_destroy(context, &p);
   um_model_destroy(context, &stated);
 }
 

@@ -226,7 +226,7 @@ static void pass_is_the_simulation(void **state)
 {
   (void)state;
   static const double degrees[] = {0.0};
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
   struct um_model_map_pass *pass = NULL;
   struct um_model *model = map_model(
@@ -236,8 +236,8 @@ static void pass_is_the_simulation(void **state)
       "{spin: {axis_gcrs: [1, 2, 3], axis_body: [0, 1, 1], period_s: 700, phase_deg: 40}}");
   struct um_model_map *map = map_of(model, 90.0, degrees, 1, 1);
   assert_int_equal(um_model_map_pass_create(context, model, map, &pass), UM_OK);
-  assert_int_equal(um_model_precompute(context, model, &precomputed), UM_OK);
-  assert_int_equal(um_model_run(context, model, precomputed, &result), UM_OK);
+  assert_int_equal(um_model_precompute(context, model, &tables), UM_OK);
+  assert_int_equal(um_model_run(context, model, tables, &result), UM_OK);
   assert_int_equal(pass->n, result->nobs);
   size_t edge = 0, dark = 0;
   for (size_t k = 0; k < pass->n; k++)
@@ -252,7 +252,7 @@ static void pass_is_the_simulation(void **state)
   assert_true(edge > 0 && dark > 10 && dark < pass->n);
   um_model_map_pass_destroy(context, &pass);
   um_model_result_destroy(context, &result);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_map_destroy(context, &map);
   um_model_destroy(context, &model);
 }

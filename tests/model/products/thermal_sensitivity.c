@@ -50,7 +50,7 @@ static const struct moved mirror_moves[] = {
 
 struct world {
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   bool borrowed; /* of the base: loads that do not move */
 };
 
@@ -69,15 +69,15 @@ static struct world variant(const struct world *base, const struct moved *m, dou
   a.value[m->parameter] = value_of(m, a.effect) + by;
   const struct um_model_changes changes = {.addition = &a, .naddition = 1};
   assert_int_equal(um_model_variant_create(context, base->model, &changes, &w.model), UM_OK);
-  w.borrowed = (um_effects_reach(a.effect) & (UM_REACH_PRECOMPUTED | UM_REACH_LIGHT)) == 0;
-  w.precomputed = base->precomputed;
-  if (!w.borrowed) assert_int_equal(um_model_precompute(context, w.model, &w.precomputed), UM_OK);
+  w.borrowed = (um_effects_reach(a.effect) & (UM_REACH_GEOMETRY | UM_REACH_LIGHT)) == 0;
+  w.tables = base->tables;
+  if (!w.borrowed) assert_int_equal(um_model_precompute(context, w.model, &w.tables), UM_OK);
   return w;
 }
 
 static void world_release(struct world *w)
 {
-  if (!w->borrowed) um_model_precomputed_destroy(context, &w->precomputed);
+  if (!w->borrowed) um_model_tables_destroy(context, &w->tables);
   um_model_destroy(context, &w->model);
 }
 
@@ -92,16 +92,15 @@ solved(const struct world *w, const struct um_model_thermal_solution *like, cons
   size_t n = um_thermal_network_nodes(network);
   double start[512], drift;
   assert_true(n <= 512);
-  assert_int_equal(um_model_heat_setting_make(context, w->model, w->precomputed, NULL, &setting),
-                   UM_OK);
+  assert_int_equal(um_model_heat_setting_make(context, w->model, w->tables, NULL, &setting), UM_OK);
   setting.options.relative_tolerance = 1e-9;
   setting.options.absolute_tolerance = 1e-7;
-  assert_int_equal(um_thermal_solve_periodic(context, network, w->precomputed->loads,
-                                             &setting.options, guess, w->precomputed->t_start,
-                                             w->precomputed->period, PERIODIC, start, &drift),
+  assert_int_equal(um_thermal_solve_periodic(context, network, w->tables->loads, &setting.options,
+                                             guess, w->tables->t_start, w->tables->period, PERIODIC,
+                                             start, &drift),
                    UM_OK);
-  assert_int_equal(um_thermal_solve(context, network, w->precomputed->loads, &setting.options,
-                                    start, w->precomputed->t_start, like->run.history->t,
+  assert_int_equal(um_thermal_solve(context, network, w->tables->loads, &setting.options, start,
+                                    w->tables->t_start, like->run.history->t,
                                     like->run.history->ntime, &h),
                    UM_OK);
   um_model_heat_setting_clear(context, &setting);
@@ -149,23 +148,22 @@ static void differences(const struct um_model_options *options, const struct mov
   bool serves;
   assert_true(nmove <= MOVES);
   assert_int_equal(um_model_create(context, SCENARIO, options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
   assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
-      UM_OK);
+      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 1.0, &heat), UM_OK);
   for (size_t k = 0; k < nmove; k++) {
     double step = moves_of[k].small * moves_of[k].width;
     small[k] = variant(&base, &moves_of[k], step);
-    move[k] = (struct um_model_thermal_move){small[k].model, small[k].precomputed, step};
+    move[k] = (struct um_model_thermal_move){small[k].model, small[k].tables, step};
     assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, small[k].model,
-                                                         small[k].precomputed, &serves),
+                                                         small[k].tables, &serves),
                      UM_OK);
     if (!serves) fail_msg("%s does not serve", moves_of[k].effect);
   }
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, nmove, &s), UM_OK);
   for (size_t k = 0; k < nmove; k++) {
     assert_int_equal(um_model_thermal_solution_move(context, heat, s, k, moves_of[k].width,
-                                                    small[k].model, small[k].precomputed, &moved),
+                                                    small[k].model, small[k].tables, &moved),
                      UM_OK);
     if (um_test_whole() || k % 2 == 0) compare(&base, &moves_of[k], heat, moved);
     um_model_thermal_solution_destroy(context, &moved);
@@ -216,16 +214,15 @@ static void test_refused(void **state)
   struct um_model_thermal_solution *heat, *moved;
   struct um_model_thermal_sensitivity *s;
   assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
   assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 6.0, &heat),
-      UM_OK);
+      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 6.0, &heat), UM_OK);
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     struct world w = variant(&base, &others[k], others[k].width);
-    const struct um_model_thermal_move move = {w.model, w.precomputed, 1.0};
+    const struct um_model_thermal_move move = {w.model, w.tables, 1.0};
     bool serves;
-    assert_int_equal(
-        um_model_thermal_sensitivity_serves(context, heat, w.model, w.precomputed, &serves), UM_OK);
+    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, w.model, w.tables, &serves),
+                     UM_OK);
     if (serves) fail_msg("%s serves", others[k].effect);
     assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s),
                      UM_ERR_INPUT);
@@ -238,10 +235,10 @@ static void test_refused(void **state)
   }
   const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
   struct world w = variant(&base, &power, 1e-3);
-  const struct um_model_thermal_move move = {w.model, w.precomputed, 1e-3};
+  const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
   assert_int_equal(
-      um_model_thermal_solution_move(context, heat, s, 0, -1e5, w.model, w.precomputed, &moved),
+      um_model_thermal_solution_move(context, heat, s, 0, -1e5, w.model, w.tables, &moved),
       UM_ERR_NUMERIC);
   assert_null(moved);
   assert_non_null(strstr(um_core_message(context), "a parameter moved by -100000 moves a "));
@@ -268,15 +265,15 @@ static void test_left_to_runs(void **state)
     struct um_model_thermal_solution *heat;
     bool serves;
     assert_int_equal(um_model_create(context, SCENARIO, &options[i], &base.model), UM_OK);
-    assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
-    if (i == 0) assert_non_null(base.precomputed->ripple);
-    if (i == 1) assert_true(base.precomputed->view_factors->patches->npatch > 32);
+    assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
+    if (i == 0) assert_non_null(base.tables->ripple);
+    if (i == 1) assert_true(base.tables->view_factors->patches->npatch > 32);
     assert_int_equal(
-        um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 30.0, &heat),
+        um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat),
         UM_OK);
     struct world w = variant(&base, &power, 1.0);
-    assert_int_equal(
-        um_model_thermal_sensitivity_serves(context, heat, w.model, w.precomputed, &serves), UM_OK);
+    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, w.model, w.tables, &serves),
+                     UM_OK);
     assert_false(serves);
     um_model_thermal_solution_destroy(context, &heat);
     world_release(&w);
@@ -301,16 +298,14 @@ static void test_start_offset(void **state)
   struct um_model_thermal_sensitivity *s;
   assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
   assert_non_null(base.model->start_offset);
-  assert_int_equal(um_model_precompute(context, base.model, &base.precomputed), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
   assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.precomputed, NULL, 1.0, &heat),
-      UM_OK);
+      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 1.0, &heat), UM_OK);
   struct world w = variant(&base, &power, 1e-3);
-  const struct um_model_thermal_move move = {w.model, w.precomputed, 1e-3};
+  const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
   assert_int_equal(
-      um_model_thermal_solution_move(context, heat, s, 0, 1.0, w.model, w.precomputed, &moved),
-      UM_OK);
+      um_model_thermal_solution_move(context, heat, s, 0, 1.0, w.model, w.tables, &moved), UM_OK);
   const struct um_thermal_history *h = heat->run.history;
   double most = 0.0, bound = (h->t[0] - heat->run.from) / 3000.0; /* [K]: a watt into 3 kJ/K */
   for (size_t i = 0; i < h->nnode; i++)

@@ -52,7 +52,7 @@ struct set {
   struct um_context *context;
   const char *name;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
   bool failed; /* every channel is reported before the test fails */
 };
@@ -75,11 +75,11 @@ static double number(struct set *set, const struct um_core_csv *csv, size_t row,
 static size_t observation_of(struct set *set, const struct um_core_csv *csv, size_t row)
 {
   double t;
-  const struct um_model_precomputed *precomputed = set->precomputed;
+  const struct um_model_tables *tables = set->tables;
   OK(set, um_orbit_time_parse(set->context, um_core_csv_text(csv, row, 0), &t));
   double step = set->model->scenario->time->step_s;
-  size_t k = (size_t)llround((t - precomputed->t_obs[0]) / step);
-  assert_true(k < precomputed->nobs && fabs(precomputed->t_obs[k] - t) < 1e-6);
+  size_t k = (size_t)llround((t - tables->t_obs[0]) / step);
+  assert_true(k < tables->nobs && fabs(tables->t_obs[k] - t) < 1e-6);
   return k;
 }
 
@@ -107,12 +107,12 @@ static void compare_geometry(struct set *set, const struct um_core_csv *csv)
     size_t column = reference_column(set->context, csv, kind[j].column);
     for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
       size_t k = observation_of(set, csv, i);
-      const struct um_orbit_look *look = &set->precomputed->look[k];
-      const struct um_environment_sample *s = &set->precomputed->sample[k];
+      const struct um_orbit_look *look = &set->tables->look[k];
+      const struct um_environment_sample *s = &set->tables->sample[k];
       double phase = atan2(um_vec3_norm(um_vec3_cross(s->sun, s->to_observer)),
                            um_vec3_dot(s->sun, s->to_observer));
       double value[] = {look->azimuth / UM_DEG, look->elevation / UM_DEG, look->range / 1e3,
-                        phase / UM_DEG, set->precomputed->sunlit[k]};
+                        phase / UM_DEG, set->tables->sunlit[k]};
       double expected = number(set, csv, i, column);
       if (j == 0) value[0] = expected + remainder(value[0] - expected, 360.0);
       channel_add(&c, expected, value[j]);
@@ -175,8 +175,8 @@ enum load { DIRECT, ALBEDO, EARTH_IR };
 static double load_of(const struct set *set, size_t k, const char *face, enum load load)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(set->model->geometry);
-  const struct um_irradiation_loads *l = set->precomputed->seen;
-  size_t row = set->precomputed->load_row[k];
+  const struct um_irradiation_loads *l = set->tables->seen;
+  size_t row = set->tables->load_row[k];
   double sum = 0.0, area = 0.0;
   for (size_t s = 0; s < l->nsurface; s++) {
     if (!is_on_face(set, s, face)) continue;
@@ -262,7 +262,7 @@ static void compare_mechanisms(struct set *set, const struct um_core_csv *csv)
     size_t column = reference_column(set->context, csv, kind[j].column);
     for (size_t i = 0; i < um_core_csv_rows(csv); i++) {
       size_t k = observation_of(set, csv, i);
-      double range = set->precomputed->sample[k].range, value = 0.0;
+      double range = set->tables->sample[k].range, value = 0.0;
       for (size_t m = 0; m < r->nmaterial; m++)
         value += r->intensity[((k * r->nband + b) * r->nmaterial + m) * UM_MECHANISM_COUNT +
                               (size_t)kind[j].mechanism];
@@ -291,14 +291,14 @@ static void test_set(void **state)
   double begin = seconds();
   if (um_core_context_create(NULL, &set.context) != UM_OK) fail_msg("no context");
   OK(&set, um_model_create(set.context, path, &options, &set.model));
-  OK(&set, um_model_precompute(set.context, set.model, &set.precomputed));
+  OK(&set, um_model_precompute(set.context, set.model, &set.tables));
   double traced = seconds();
-  OK(&set, um_model_run(set.context, set.model, set.precomputed, &set.result));
+  OK(&set, um_model_run(set.context, set.model, set.tables, &set.result));
   double end = seconds();
   print_message("set %s: %zu observations, traced in %.2f s, run in %.2f s, energy audit %.1e, "
                 "drift of the start %.1e K\n",
-                set.name, set.precomputed->nobs, traced - begin, end - traced,
-                set.result->audit_error, set.result->periodic_distance);
+                set.name, set.tables->nobs, traced - begin, end - traced, set.result->audit_error,
+                set.result->periodic_distance);
   snprintf(name, sizeof name, "blind-%s", set.name);
   struct um_core_csv *detail = reference_open(set.context, name);
   compare_geometry(&set, detail);
@@ -308,7 +308,7 @@ static void test_set(void **state)
   compare_faces(&set, detail);
   um_core_csv_destroy(&detail);
   um_model_result_destroy(set.context, &set.result);
-  um_model_precomputed_destroy(set.context, &set.precomputed);
+  um_model_tables_destroy(set.context, &set.tables);
   um_model_destroy(set.context, &set.model);
   um_core_context_destroy(&set.context);
   assert_false(set.failed);

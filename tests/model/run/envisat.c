@@ -24,7 +24,7 @@
 struct pass {
   struct um_context *context;
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 
@@ -48,8 +48,8 @@ static int compute(void **state)
   const struct um_model_options options = {.overrides = overrides, .noverride = 4};
   need(NULL, um_core_context_create(NULL, &pass.context));
   need(pass.context, um_model_create(pass.context, SCENARIO, &options, &pass.model));
-  need(pass.context, um_model_precompute(pass.context, pass.model, &pass.precomputed));
-  need(pass.context, um_model_run(pass.context, pass.model, pass.precomputed, &pass.result));
+  need(pass.context, um_model_precompute(pass.context, pass.model, &pass.tables));
+  need(pass.context, um_model_run(pass.context, pass.model, pass.tables, &pass.result));
   *state = &pass;
   return 0;
 }
@@ -58,7 +58,7 @@ static int release(void **state)
 {
   struct pass *pass = *state;
   um_model_result_destroy(pass->context, &pass->result);
-  um_model_precomputed_destroy(pass->context, &pass->precomputed);
+  um_model_tables_destroy(pass->context, &pass->tables);
   um_model_destroy(pass->context, &pass->model);
   um_core_context_destroy(&pass->context);
   return 0;
@@ -127,12 +127,12 @@ static void umbra_is_dark_in_vis_alone(void **state)
   size_t vis = um_model_band_find(pass->model, "vis");
   size_t lwir = um_model_band_find(pass->model, "lwir");
   size_t umbra = 0, dark = 0, lit = 0;
-  for (size_t k = 0; k < pass->precomputed->nobs; k++) {
+  for (size_t k = 0; k < pass->tables->nobs; k++) {
     double sun = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_SUN);
     lit += sun > 0.0;
-    dark += sun == 0.0 && pass->precomputed->sunlit[k] == 0.0;
-    umbra += pass->precomputed->sunlit[k] < 1e-3;
-    assert_true((sun > 0.0) <= (pass->precomputed->sunlit[k] > 0.0));
+    dark += sun == 0.0 && pass->tables->sunlit[k] == 0.0;
+    umbra += pass->tables->sunlit[k] < 1e-3;
+    assert_true((sun > 0.0) <= (pass->tables->sunlit[k] > 0.0));
     assert_true(um_model_result_intensity(pass->result, k, lwir, UM_MECHANISM_EMITTED) > 100.0);
   }
   print_message("%zu instants dark, %zu below 1e-3 of sunlight, %zu lit\n", dark, umbra, lit);
@@ -149,8 +149,8 @@ static void the_moon_lights_the_umbra(void **state)
 {
   struct pass *pass = *state;
   size_t vis = um_model_band_find(pass->model, "vis"), moonlit = 0;
-  for (size_t k = 0; k < pass->precomputed->nobs; k++) {
-    const struct um_environment_sample *s = &pass->precomputed->sample[k];
+  for (size_t k = 0; k < pass->tables->nobs; k++) {
+    const struct um_environment_sample *s = &pass->tables->sample[k];
     double moon = um_model_result_intensity(pass->result, k, vis, UM_MECHANISM_OTHER);
     double all = um_model_result_intensity(pass->result, k, vis, -1);
     assert_true((s->moon_distance > 0.0) == (s->sunlit_fraction < 0.004));
@@ -214,7 +214,7 @@ static void run_is_consistent(void **state)
   const struct um_model_result *r = pass->result;
   for (size_t k = 0; k < r->nobs; k++)
     for (size_t b = 0; b < r->nband; b++) {
-      double range = pass->precomputed->look[k].range;
+      double range = pass->tables->look[k].range;
       double expected = um_model_result_intensity(r, k, b, -1) / (range * range);
       assert_true(fabs(r->irradiance[k * r->nband + b] - expected) <= 1e-12 * expected);
     }

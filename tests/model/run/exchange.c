@@ -20,7 +20,7 @@
 
 struct run {
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_thermal_solution *heat;
 };
 
@@ -29,15 +29,14 @@ static void compute(const char *const *overrides, size_t noverride, struct run *
   const struct um_model_options options = {.overrides = overrides, .noverride = noverride};
   *run = (struct run){0};
   OK(um_model_create(context, ELBOW, &options, &run->model));
-  OK(um_model_precompute(context, run->model, &run->precomputed));
-  OK(um_model_thermal_solution_create(context, run->model, run->precomputed, NULL, 1.0,
-                                      &run->heat));
+  OK(um_model_precompute(context, run->model, &run->tables));
+  OK(um_model_thermal_solution_create(context, run->model, run->tables, NULL, 1.0, &run->heat));
 }
 
 static void release(struct run *run)
 {
   um_model_thermal_solution_destroy(context, &run->heat);
-  um_model_precomputed_destroy(context, &run->precomputed);
+  um_model_tables_destroy(context, &run->tables);
   um_model_destroy(context, &run->model);
 }
 
@@ -55,8 +54,8 @@ static void stated_start(void **state)
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
   double *mean = test_calloc(n, sizeof *mean), time[200];
-  const struct um_irradiation_loads *loads = run.precomputed->loads;
-  double from = run.precomputed->t_start, to = loads->t[loads->ntime - 1];
+  const struct um_irradiation_loads *loads = run.tables->loads;
+  double from = run.tables->t_start, to = loads->t[loads->ntime - 1];
   assert_true(to - from > 1800.0);
   for (int k = 0; k < 200; k++) time[k] = from + (to - from) * k / 199;
   OK(um_thermal_solve(context, network, loads, &run.heat->setting.options, run.heat->start, from,
@@ -64,7 +63,7 @@ static void stated_start(void **state)
   for (int k = 0; k < 200; k++)
     for (size_t i = 0; i < n; i++) mean[i] += h->temperature[(size_t)k * n + i] / 200;
   um_thermal_history_destroy(context, &h);
-  OK(um_thermal_exchange_renew(context, network, run.precomputed->view_factors, NULL, mean, 0.0, x,
+  OK(um_thermal_exchange_renew(context, network, run.tables->view_factors, NULL, mean, 0.0, x,
                                &change));
   print_message("stated start: an emittance moves by %.1e\n", change);
   assert_true(change > 0.0 && change < 2e-3);
@@ -86,14 +85,14 @@ static void periodic_start(void **state)
   size_t n = um_thermal_network_nodes(network);
   double *mean = test_calloc(n, sizeof *mean), *end = test_calloc(n, sizeof *end);
   OK(um_thermal_solve_periodic_report(
-      context, network, run.precomputed->loads, &run.heat->setting.options, run.heat->start,
-      run.precomputed->t_start, run.precomputed->period, 0.01, end, NULL, mean, &report));
+      context, network, run.tables->loads, &run.heat->setting.options, run.heat->start,
+      run.tables->t_start, run.tables->period, 0.01, end, NULL, mean, &report));
   /* variants begin with what is settled, bit for bit, and stay with it where nothing moves */
-  OK(um_model_thermal_solution_create(context, run.model, run.precomputed, run.heat, 1.0, &again));
+  OK(um_model_thermal_solution_create(context, run.model, run.tables, run.heat, 1.0, &again));
   for (size_t s = 0; s < x->nsurface; s++)
     assert_true(again->setting.exchange->arriving[s] == x->arriving[s]);
   um_model_thermal_solution_destroy(context, &again);
-  OK(um_thermal_exchange_renew(context, network, run.precomputed->view_factors, NULL, mean, 0.0, x,
+  OK(um_thermal_exchange_renew(context, network, run.tables->view_factors, NULL, mean, 0.0, x,
                                &change));
   print_message("periodic start: an emittance moves by %.1e\n", change);
   assert_true(change > 0.0 && change <= 1.1 * UM_MODEL_SAME_EMITTANCE);

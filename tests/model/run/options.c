@@ -36,7 +36,7 @@ static const char *const scenario =
 
 struct run {
   struct um_model *model;
-  struct um_model_precomputed *precomputed;
+  struct um_model_tables *tables;
   struct um_model_result *result;
 };
 
@@ -52,15 +52,15 @@ static struct run compute(const char *const *overrides, size_t n)
   struct run run = {0};
   const struct um_model_options options = {.overrides = overrides, .noverride = n};
   need(um_model_create(context, FILE_NAME, &options, &run.model));
-  need(um_model_precompute(context, run.model, &run.precomputed));
-  need(um_model_run(context, run.model, run.precomputed, &run.result));
+  need(um_model_precompute(context, run.model, &run.tables));
+  need(um_model_run(context, run.model, run.tables, &run.result));
   return run;
 }
 
 static void release(struct run *run)
 {
   um_model_result_destroy(context, &run->result);
-  um_model_precomputed_destroy(context, &run->precomputed);
+  um_model_tables_destroy(context, &run->tables);
   um_model_destroy(context, &run->model);
 }
 
@@ -126,10 +126,10 @@ static void tracking_joint_follows_the_sun(void **state)
   (void)state;
   struct run a = compute(NULL, 0);
   const struct um_geometry_mesh *mesh = um_geometry_mesh(a.model->geometry);
-  for (size_t k = 0; k < a.precomputed->nobs; k++) {
-    struct um_vec3 sun = um_quat_apply(a.precomputed->sample[k].q, a.precomputed->sample[k].sun);
+  for (size_t k = 0; k < a.tables->nobs; k++) {
+    struct um_vec3 sun = um_quat_apply(a.tables->sample[k].q, a.tables->sample[k].sun);
     double expected = sqrt(1.0 - sun.y * sun.y);
-    const float *row = a.precomputed->seen->sun + a.precomputed->load_row[k] * mesh->nsurface;
+    const float *row = a.tables->seen->sun + a.tables->load_row[k] * mesh->nsurface;
     for (size_t s = 0; s < mesh->nsurface; s++)
       if (mesh->surface[s].part == 1 && !mesh->surface[s].back)
         assert_true(fabs((double)row[s] - expected) <= 1e-6); /* float */
@@ -171,12 +171,11 @@ static void frozen_sun_stands_still(void **state)
   static const char *const frozen[] = {"environment.sun=frozen", "environment.sun_distance_au=1",
                                        "time.stop_utc=2020-03-20T14:00:00Z", "time.step_s=7200"};
   struct run a = compute(frozen, 4);
-  struct um_vec3 from =
-      um_vec3_axpy(a.precomputed->sample[0].r, UM_AU, a.precomputed->sample[0].sun);
-  struct um_vec3 to = um_vec3_axpy(a.precomputed->sample[1].r, UM_AU, a.precomputed->sample[1].sun);
+  struct um_vec3 from = um_vec3_axpy(a.tables->sample[0].r, UM_AU, a.tables->sample[0].sun);
+  struct um_vec3 to = um_vec3_axpy(a.tables->sample[1].r, UM_AU, a.tables->sample[1].sun);
   /* both look at one point from places 14000 km apart at most */
   assert_true(um_vec3_angle(from, to) <= 1e-6);
-  assert_true(a.precomputed->sample[1].sun_distance == UM_AU);
+  assert_true(a.tables->sample[1].sun_distance == UM_AU);
   release(&a);
 }
 
@@ -274,10 +273,10 @@ static void table_of_the_span_is_enough(void **state)
   struct run c = compute(once, 2);
   assert_true(fabs(c.result->place[0].mean[0] - 290.0) <= 1e-9);
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   const struct um_model_options periodic = {.overrides = set, .noverride = 4};
   need(um_model_create(context, FILE_NAME, &periodic, &model));
-  assert_int_equal(um_model_precompute(context, model, &precomputed), UM_ERR_INPUT);
+  assert_int_equal(um_model_precompute(context, model, &tables), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(context), "the table covers 2020-03-20T12:00:00.000Z to"));
   um_core_message_clear(context);
   um_model_destroy(context, &model);
@@ -311,7 +310,7 @@ static void earth_hides_from_a_moving_observer(void **state)
               x.z);
     fclose(f);
     struct run run = compute(set, 2);
-    assert_true(run.precomputed->hidden[0] == (far == 1));
+    assert_true(run.tables->hidden[0] == (far == 1));
     assert_true(isnan(run.result->irradiance[1]) == (far == 1));
     assert_true(isnan(run.result->magnitude_ab[1]) == (far == 1));
     assert_true(um_model_result_intensity(run.result, 0, 1, -1) > 0.0);
@@ -375,9 +374,9 @@ static void observer_inside_is_refused(void **state)
   static const char *const outside[] = {"observer.direction.range_km=0.0037"};
   const struct um_model_options options = {.overrides = inside, .noverride = 1};
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   need(um_model_create(context, FILE_NAME, &options, &model));
-  assert_int_equal(um_model_precompute(context, model, &precomputed), UM_ERR_INPUT);
+  assert_int_equal(um_model_precompute(context, model, &tables), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(context), "observer.direction.range_km: 0.0036 (3.6 m) "));
   assert_non_null(strstr(um_core_message(context), "reaches 3.64005 m"));
   um_core_message_clear(context);

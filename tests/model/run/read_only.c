@@ -1,5 +1,5 @@
 /* A model is read, never written: eight threads with a context each compute on one model, and on
- * one geometry precomputation and its heat, at once, and all find the bits that one thread finds.
+ * one set of geometry tables and its heat, at once, and all find the bits that one thread finds.
  * ThreadSanitizer (make tsan) says whether any of them wrote what another reads. */
 #include <assert.h>
 #include <pthread.h>
@@ -60,7 +60,7 @@ static const char scenario[] =
 /* What all threads read. */
 struct shared {
   const struct um_model *model;
-  const struct um_model_precomputed *precomputed;
+  const struct um_model_tables *tables;
   const struct um_model_thermal_solution *heat;
 };
 
@@ -92,22 +92,21 @@ static void keep_result(struct work *w, const struct um_model_result *r)
 static enum um_status anew(struct work *w, const struct um_model *model)
 {
   enum um_status status;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_thermal_solution *heat = NULL;
   struct um_model_result *result = NULL, *finer = NULL;
-  UM_CHECK(um_model_precompute(w->context, model, &precomputed));
-  UM_CHECK(um_model_thermal_solution_create(w->context, model, precomputed, NULL, 1.0, &heat));
-  UM_CHECK(um_model_run_with(w->context, model, precomputed, heat, &result));
+  UM_CHECK(um_model_precompute(w->context, model, &tables));
+  UM_CHECK(um_model_thermal_solution_create(w->context, model, tables, NULL, 1.0, &heat));
+  UM_CHECK(um_model_run_with(w->context, model, tables, heat, &result));
   keep_result(w, result);
-  UM_CHECK(um_model_precomputed_resample(w->context, model, precomputed,
-                                         (struct um_model_sampling){16, 8}));
-  UM_CHECK(um_model_run_with(w->context, model, precomputed, heat, &finer));
+  UM_CHECK(um_model_tables_resample(w->context, model, tables, (struct um_model_sampling){16, 8}));
+  UM_CHECK(um_model_run_with(w->context, model, tables, heat, &finer));
   keep_result(w, finer);
 done:
   um_model_result_destroy(w->context, &result);
   um_model_result_destroy(w->context, &finer);
   um_model_thermal_solution_destroy(w->context, &heat);
-  um_model_precomputed_destroy(w->context, &precomputed);
+  um_model_tables_destroy(w->context, &tables);
   return status;
 }
 
@@ -117,9 +116,9 @@ static enum um_status balances(struct work *w)
   size_t n = um_thermal_network_nodes(s->model->body->network);
   double *t = NULL;
   UM_TRY(um_core_allocate(w->context, n, sizeof *t, &t));
-  enum um_status status = um_model_balance_steady(w->context, s->model, s->precomputed, t);
+  enum um_status status = um_model_balance_steady(w->context, s->model, s->tables, t);
   keep(w, t, n);
-  if (status == UM_OK) status = um_model_balance_orbit(w->context, s->model, s->precomputed, t);
+  if (status == UM_OK) status = um_model_balance_orbit(w->context, s->model, s->tables, t);
   keep(w, t, n);
   um_core_free(w->context, t);
   return status;
@@ -138,7 +137,7 @@ static enum um_status take(void *user, size_t k, const double *temperature, cons
 static enum um_status respond(struct work *w)
 {
   const uint32_t node = 0;
-  const double one = 1.0, from = w->shared->precomputed->t_first;
+  const double one = 1.0, from = w->shared->tables->t_first;
   const struct um_thermal_pulse pulse = {&node, &one, 1, from, from + 60.0};
   return um_model_thermal_solution_response(w->context, w->shared->heat, &pulse, 1, 0.0, take, w);
 }
@@ -164,10 +163,10 @@ static enum um_status move(struct work *w)
   struct um_model_thermal_sensitivity *sensitivity = NULL;
   struct um_model_thermal_solution *heat = NULL;
   UM_CHECK(variant(w, "internal_power", "bus", &step, 1, &model));
-  const struct um_model_thermal_move of = {model, s->precomputed, step};
+  const struct um_model_thermal_move of = {model, s->tables, step};
   UM_CHECK(um_model_thermal_sensitivity_create(w->context, s->heat, &of, 1, &sensitivity));
   UM_CHECK(um_model_thermal_solution_move(w->context, s->heat, sensitivity, 0, 1e3 * step, model,
-                                          s->precomputed, &heat));
+                                          s->tables, &heat));
   keep(w, heat->run.history->temperature, heat->run.history->ntime * heat->run.history->nnode);
 done:
   um_model_thermal_solution_destroy(w->context, &heat);
@@ -194,7 +193,7 @@ static enum um_status compute(struct work *w)
   const struct shared *s = w->shared;
   struct um_model_result *result = NULL;
   UM_TRY(anew(w, s->model));
-  UM_TRY(um_model_run_with(w->context, s->model, s->precomputed, s->heat, &result));
+  UM_TRY(um_model_run_with(w->context, s->model, s->tables, s->heat, &result));
   keep_result(w, result);
   um_model_result_destroy(w->context, &result);
   UM_TRY(balances(w));
@@ -224,17 +223,17 @@ static void eight_threads(void **state)
   (void)state;
   char path[UM_TEST_PATH];
   struct um_model *model = NULL;
-  struct um_model_precomputed *precomputed = NULL;
+  struct um_model_tables *tables = NULL;
   struct um_model_thermal_solution *heat = NULL;
   struct work *w[THREADS + 1];
   pthread_t thread[THREADS];
   um_test_file_create(path, scenario, strlen(scenario));
   if (um_model_create(context, path, NULL, &model) != UM_OK ||
-      um_model_precompute(context, model, &precomputed) != UM_OK ||
-      um_model_thermal_solution_create(context, model, precomputed, NULL, 1.0, &heat) != UM_OK)
+      um_model_precompute(context, model, &tables) != UM_OK ||
+      um_model_thermal_solution_create(context, model, tables, NULL, 1.0, &heat) != UM_OK)
     fail_msg("%s", um_core_message(context));
   remove(path);
-  const struct shared shared = {model, precomputed, heat};
+  const struct shared shared = {model, tables, heat};
   for (int i = 0; i <= THREADS; i++) w[i] = work_make(&shared, 1 + i % 2);
   begin(w[THREADS]); /* alone */
   for (int i = 0; i < THREADS; i++)
@@ -254,7 +253,7 @@ static void eight_threads(void **state)
     test_free(w[i]);
   }
   um_model_thermal_solution_destroy(context, &heat);
-  um_model_precomputed_destroy(context, &precomputed);
+  um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &model);
 }
 

@@ -23,7 +23,7 @@ static void sunlight_less_what_is_extracted(void **state)
                                     "parts.panel.electrical_extraction=0.18"};
   for (int i = 0; i < 2; i++) {
     struct heat_run run = heat_compute(LIST(EXPOSED, set[i]), NONE, NONE);
-    const struct um_environment_sample *sample = run.precomputed->sample;
+    const struct um_environment_sample *sample = run.tables->sample;
     double cosine = um_quat_apply(sample->q, sample->sun).x;
     double expected = (0.90 - (i == 0 ? 0.0 : 0.18)) * 1361.0 * 2.0 * cosine;
     print_message("extraction %g: %.6g W of sunlight, expected %.6g\n", i == 0 ? 0.0 : 0.18,

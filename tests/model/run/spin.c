@@ -38,10 +38,10 @@ static void averaged_is_resolved(void **state)
     struct heat_run b = heat_compute(
         LIST(BOX, outside, SPIN("5"), TIME, RESOLVED, "thermal.step_s=0.01"), NONE, NONE);
     print_message("%s: %.5f K apart, rows %zu and %zu, steps %zu and %zu\n", material[m],
-                  apart(&a, &b), a.precomputed->loads->ntime, b.precomputed->loads->ntime,
-                  a.result->steps, b.result->steps);
+                  apart(&a, &b), a.tables->loads->ntime, b.tables->loads->ntime, a.result->steps,
+                  b.result->steps);
     assert_true(apart(&a, &b) <= ACCURACY);
-    assert_true(a.precomputed->loads->ntime < 60 && a.result->steps * 20 < b.result->steps);
+    assert_true(a.tables->loads->ntime < 60 && a.result->steps * 20 < b.result->steps);
     assert_true(heat_same_reflected(&a, &b, "vis"));
     heat_release(&a);
     heat_release(&b);
@@ -65,8 +65,8 @@ static void automatic(void **state)
   for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
     struct heat_run run =
         heat_compute(LIST(BOX, c[i].spin, "thermal.start=isothermal", c[i].change), NONE, NONE);
-    if ((run.precomputed->turn_period == 5.0) != c[i].averaged)
-      fail_msg("%s, %s: turn of %g s", c[i].spin, c[i].change, run.precomputed->turn_period);
+    if ((run.tables->turn_period == 5.0) != c[i].averaged)
+      fail_msg("%s, %s: turn of %g s", c[i].spin, c[i].change, run.tables->turn_period);
     heat_release(&run);
   }
 }
@@ -117,9 +117,9 @@ static void slew_between(void **state)
            "slew: {duration_s: 60}}]"),
       NONE, NONE);
   static const double angle[] = {0, 0, 0, 11.25, 45, 78.75, 90, 90, 90, 90, 90}; /* [deg] */
-  assert_int_equal(run.precomputed->nobs, 11);
+  assert_int_equal(run.tables->nobs, 11);
   for (size_t k = 0; k < 11; k++) {
-    struct um_quat q = run.precomputed->sample[k * run.precomputed->nsub].q;
+    struct um_quat q = run.tables->sample[k * run.tables->nsub].q;
     double got = 2.0 * atan2(q.x, q.w) * 180.0 / acos(-1.0);
     if (!(fabs(got - angle[k]) <= 1e-6))
       fail_msg("row %zu: %.9g deg, expected %g", k, got, angle[k]);

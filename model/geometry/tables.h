@@ -1,6 +1,6 @@
-/* What a geometry precomputation holds. */
-#ifndef UMBRA_MODEL_PRECOMPUTED_H
-#define UMBRA_MODEL_PRECOMPUTED_H
+/* What geometry tables hold. */
+#ifndef UMBRA_MODEL_TABLES_H
+#define UMBRA_MODEL_TABLES_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,7 +20,7 @@ struct um_model_sampling {
 struct um_model_body_tables;
 
 /* Everything geometric about one timeline, traced once; physics runs on it many times. */
-struct um_model_precomputed {
+struct um_model_tables {
   size_t nobs;                          /* observations */
   size_t nsub;                          /* instants per observation (exposure) */
   double *t_obs;                        /* [nobs] t_tai, mid-exposure, at the observer */
