@@ -52,7 +52,7 @@ static enum um_status find_rigid(struct search *s)
 }
 
 /* Sides that look the same way, where the fronts do or look against each other. */
-static int sides_alike(const struct um_geometry_mesh *mesh, uint32_t f, uint32_t g, bool along)
+static int sides_in_common(const struct um_geometry_mesh *mesh, uint32_t f, uint32_t g, bool along)
 {
   const uint32_t *front = mesh->surface_of_front, *back = mesh->surface_of_back;
   const uint32_t *of_front = along ? front : back, *of_back = along ? back : front;
@@ -142,7 +142,7 @@ static bool look(void *user, uint32_t g)
   if (g <= f || s->rigid[a] != s->rigid[b]) return true;
   double cosine = um_vec3_dot(s->pose->facet_normal[f], s->pose->facet_normal[g]);
   if (fabs(cosine) < ALONG) return true;
-  int sides = sides_alike(mesh, f, g, cosine > 0.0);
+  int sides = sides_in_common(mesh, f, g, cosine > 0.0);
   if (sides == 0 || !lies_in_plane(s, g, f) || !lies_in_plane(s, f, g)) return true;
   struct common piece = {.of = {.part = {a < b ? a : b, a < b ? b : a}}};
   piece.of.area = sides * common_area(s, f, g, &piece.wide);

@@ -7,7 +7,7 @@
 /* The scenario with a way at one end, and what of its own holds there. */
 struct end {
   struct um_variant variant;
-  bool serves, matches; /* geometry; heat, where the geometry is the same */
+  bool geometry, heat; /* compatible: geometry; heat, where the geometry is the same */
 };
 
 static enum um_status try_end(struct um_context *context, const struct um_study *study, size_t i,
@@ -23,10 +23,10 @@ static enum um_status try_end(struct um_context *context, const struct um_study 
   }
   UM_TRY(status);
   UM_TRY(um_study_ways_check_moved(context, study->model, v->model, study->way, study->nway, i));
-  end->serves = v->tables == study->base.tables;
-  if (!end->serves) return UM_OK;
-  return um_model_thermal_solution_matches(context, study->base.heat, v->model, v->tables,
-                                           &end->matches);
+  end->geometry = v->tables == study->base.tables;
+  if (!end->geometry) return UM_OK;
+  return um_model_thermal_solution_is_compatible(context, study->base.heat, v->model, v->tables,
+                                                 &end->heat);
 }
 
 /* Same geometry and same heat: does the light differ? */
@@ -56,14 +56,14 @@ enum um_status um_study_share(struct um_context *context, struct um_study *study
                           &study->moves_geometry));
   UM_TRY(um_core_allocate(context, study->nway, sizeof *study->moves_heat, &study->moves_heat));
   for (size_t i = 0; i < study->nway; i++) {
-    struct end end[2] = {{.serves = false}, {.serves = false}};
+    struct end end[2] = {{.geometry = false}, {.geometry = false}};
     double value[2];
     enum um_status status = UM_OK;
     um_uncertainty_distribution_ends(&study->way[i].distribution, &value[0], &value[1]);
     for (int e = 0; e < 2 && status == UM_OK; e++)
       status = try_end(context, study, i, value[e], &end[e]);
-    study->moves_geometry[i] = !(end[0].serves && end[1].serves);
-    study->moves_heat[i] = !(end[0].matches && end[1].matches);
+    study->moves_geometry[i] = !(end[0].geometry && end[1].geometry);
+    study->moves_heat[i] = !(end[0].heat && end[1].heat);
     if (status == UM_OK && !study->moves_geometry[i] && !study->moves_heat[i])
       status = check_light(context, study, i, end);
     um_variant_close(context, &end[0].variant);

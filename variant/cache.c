@@ -5,7 +5,7 @@
 
 #include "base/core/words.h"
 #include "model/build/build.h"
-#include "model/geometry/precomputed_serves.h"
+#include "model/geometry/compatible.h"
 
 enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
                                      const struct um_model *model,
@@ -14,9 +14,10 @@ enum um_status um_variant_cache_find(struct um_context *context, struct um_varia
 {
   *out = NULL;
   for (struct um_variant_kept *k = cache->first; k != NULL; k = k->next) {
-    bool serves = false;
-    UM_TRY(um_model_tables_serves(context, k->model, k->tables, instants, model, &serves));
-    if (!serves) continue;
+    bool compatible = false;
+    UM_TRY(
+        um_model_tables_are_compatible(context, k->model, k->tables, instants, model, &compatible));
+    if (!compatible) continue;
     k->used = ++cache->clock;
     *out = k;
     return UM_OK;

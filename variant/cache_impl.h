@@ -27,7 +27,7 @@ struct um_variant_cache {
   size_t clock;
 };
 
-/* The one whose geometry serves the model, by what it is built of (um_model_tables_serves);
+/* The one whose geometry serves the model, by what it is built of (um_model_tables_are_compatible);
  * *out NULL: none does. */
 enum um_status um_variant_cache_find(struct um_context *context, struct um_variant_cache *cache,
                                      const struct um_model *model,

@@ -5,7 +5,7 @@
 
 #include "effects/effects.h"
 #include "model/build/build.h"
-#include "model/geometry/precomputed_serves.h"
+#include "model/geometry/compatible.h"
 #include "model/run/run.h"
 #include "variant/cache_impl.h"
 
@@ -107,7 +107,7 @@ static size_t reaching(const struct um_variant_evaluator *e, const struct um_mod
                        struct um_model_addition *key)
 {
   size_t nkey = 0;
-  bool lit = !um_model_light_serves(e->model, model);
+  bool lit = !um_model_light_is_compatible(e->model, model);
   for (size_t i = 0; i < naddition; i++) {
     uint32_t reach = um_effects_reach(addition[i].effect);
     if ((reach & UM_REACH_GEOMETRY) == 0 && !(lit && (reach & UM_REACH_LIGHT) != 0)) continue;
@@ -144,11 +144,12 @@ static enum um_status find_by_numbers(struct um_context *context, struct um_vari
                                       struct um_variant *v)
 {
   const struct um_model_instants *instants = e->settings.instants;
-  bool serves = false;
+  bool compatible = false;
   if (e->tables != NULL)
-    UM_TRY(um_model_tables_serves(context, e->model, e->tables, instants, v->model, &serves));
+    UM_TRY(um_model_tables_are_compatible(context, e->model, e->tables, instants, v->model,
+                                          &compatible));
   v->tables = e->tables;
-  if (serves) return UM_OK;
+  if (compatible) return UM_OK;
   UM_TRY(um_variant_cache_find(context, &e->cache, v->model, instants, &v->kept));
   if (v->kept == NULL) UM_TRY(trace(context, e, NULL, 0, v));
   use(v);
@@ -225,10 +226,11 @@ static enum um_status look_for_heat(struct um_context *context,
           : NULL,
       e->heat};
   for (size_t i = 0; i < sizeof at_hand / sizeof at_hand[0] && v->heat == NULL; i++) {
-    bool matches = false;
+    bool compatible = false;
     if (at_hand[i] == NULL) continue;
-    UM_TRY(um_model_thermal_solution_matches(context, at_hand[i], v->model, v->tables, &matches));
-    if (matches) v->heat = at_hand[i];
+    UM_TRY(um_model_thermal_solution_is_compatible(context, at_hand[i], v->model, v->tables,
+                                                   &compatible));
+    if (compatible) v->heat = at_hand[i];
   }
   return UM_OK;
 }

@@ -227,7 +227,7 @@ static enum um_status step(struct um_context *context, struct um_inference_desce
   UM_CHECK(um_inference_system_solve(context, &system, 0.0, d->lower, d->upper, d->u, &left));
   double predicted = now - left;
   if (!(predicted >= um_inference_descent_tolerance(d))) {
-    d->converged = *end = um_inference_descent_serves(d);
+    d->converged = *end = um_inference_descent_jacobian_is_valid(d);
     if (!*end) status = um_inference_descent_differences(context, d);
     goto done;
   }

@@ -47,7 +47,7 @@ enum um_status um_inference_descent_differences(struct um_context *context,
 /* Broyden's update for the step from x to x_trial. */
 void um_inference_descent_update(struct um_inference_descent *descent);
 /* Whether the Jacobian as it was made still predicts the residuals at x. */
-bool um_inference_descent_serves(struct um_inference_descent *descent);
+bool um_inference_descent_jacobian_is_valid(struct um_inference_descent *descent);
 
 /* From the problem's start. Errors of evaluate there are passed on. The caller releases what was
  * begun (um_inference_descent_release), after an error too. */

@@ -175,7 +175,7 @@ static bool is_held(const struct um_inference_descent *d)
 /* Along the way from where J was made (one parameter: from the point before), dv = J dx + m: slope
  * that J has not is m / |dv| per sigma of the way, which shifts the zero of the gradient by m'r /
  * |dv| sigma, much where r is not noise; its square is the chi-square lost. */
-bool um_inference_descent_serves(struct um_inference_descent *descent)
+bool um_inference_descent_jacobian_is_valid(struct um_inference_descent *descent)
 {
   double missed = 0.0, moved = 0.0, bias = 0.0;
   double shift = sqrt(um_inference_descent_tolerance(descent));

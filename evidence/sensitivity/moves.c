@@ -41,11 +41,12 @@ static enum um_status is_wanted(struct um_context *context,
                                 const struct um_variant *v, bool *out)
 {
   const struct um_model_thermal_solution *heat = forward->base.heat;
-  bool matches;
-  UM_TRY(um_model_thermal_solution_matches(context, heat, v->model, v->tables, &matches));
+  bool compatible;
+  UM_TRY(um_model_thermal_solution_is_compatible(context, heat, v->model, v->tables, &compatible));
   *out = false;
-  return matches ? UM_OK
-                 : um_model_thermal_sensitivity_serves(context, heat, v->model, v->tables, out);
+  return compatible
+             ? UM_OK
+             : um_model_thermal_sensitivity_is_applicable(context, heat, v->model, v->tables, out);
 }
 
 /* Moves of one run. */
@@ -124,15 +125,16 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
 {
   enum um_status status;
   struct batch *batch = NULL;
-  bool serves;
+  bool applicable;
   size_t numbers = um_thermal_network_nodes(forward->model->body->network) *
                    (1 + forward->base.tables->nobs * forward->base.tables->nsub);
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
   um_sensitivity_moves_clear(context, forward);
-  UM_CHECK(um_model_thermal_sensitivity_serves(context, forward->base.heat, forward->model,
-                                               forward->base.tables, &serves));
-  if (!serves) n = 0; /* what the scenario as it stands forbids: no model need be built to see it */
+  UM_CHECK(um_model_thermal_sensitivity_is_applicable(context, forward->base.heat, forward->model,
+                                                      forward->base.tables, &applicable));
+  if (!applicable)
+    n = 0; /* what the scenario as it stands forbids: no model need be built to see it */
   UM_CHECK(um_core_allocate(context, 1, sizeof *batch, &batch));
   UM_CHECK(um_core_allocate(context, 1, sizeof *forward->cache->moves, &forward->cache->moves));
   UM_CHECK(um_core_allocate(context, n, sizeof *forward->cache->moves->moved,

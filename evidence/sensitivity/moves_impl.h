@@ -7,7 +7,7 @@
 
 /* What temperatures answer to the moves [n], at the scenario as it stands, many in one run: into
  * the forward's cache. Moves that heat does not feel, that are refused or that
- * um_model_thermal_sensitivity_serves does not let pass are left to runs of their own. Their
+ * um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their own. Their
  * targets live until _clear. */
 enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          struct um_sensitivity_forward *forward,

@@ -39,7 +39,7 @@ static bool states(const struct um_scenario_sensor *sensor, const char *key)
 }
 
 /* A detector's efficiency is one number or one curve: who states either has both. */
-static bool states_alike(const struct um_scenario_sensor *sensor, const char *key)
+static bool states_either(const struct um_scenario_sensor *sensor, const char *key)
 {
   if (strncmp(key, "quantum_efficiency", strlen("quantum_efficiency")) != 0)
     return states(sensor, key);
@@ -77,7 +77,7 @@ enum um_status um_model_sensor_preset(struct um_context *context, struct um_mode
     const struct um_schema_field *field = &keys->fields[i];
     const char *from = (const char *)preset->sensor + field->offset;
     char *to = (char *)out + field->offset;
-    if (states_alike(stated, field->key)) continue;
+    if (states_either(stated, field->key)) continue;
     if (field->type == UM_SCHEMA_NUMBER) {
       memcpy(to, from, sizeof(double));
       continue;

@@ -10,7 +10,7 @@
 
 struct um_model;
 
-/* Shared by geometry tables of models for which um_model_body_serves; the last one frees
+/* Shared by geometry tables of models for which um_model_body_is_compatible; the last one frees
  * them. */
 struct um_model_body_tables {
   atomic_size_t users;

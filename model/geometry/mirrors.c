@@ -54,9 +54,9 @@ done:
   return status;
 }
 
-enum um_status um_model_mirror_classes_serve(struct um_context *context,
-                                             const struct um_model *made,
-                                             const struct um_model *model, bool *out)
+enum um_status um_model_mirror_classes_are_compatible(struct um_context *context,
+                                                      const struct um_model *made,
+                                                      const struct um_model *model, bool *out)
 {
   enum um_status status;
   struct um_geometry_mirrors *a = NULL, *b = NULL;
@@ -93,7 +93,7 @@ void um_model_lobes_clear(struct um_context *context, struct um_model_lobes *lob
   *lobes = (struct um_model_lobes){0};
 }
 
-static bool alike(const struct um_model *a, const struct um_model *b, bool in_infrared)
+static bool mirrors_equal(const struct um_model *a, const struct um_model *b, bool in_infrared)
 {
   const struct um_geometry_mesh *own = um_geometry_mesh(a->geometry),
                                 *other = um_geometry_mesh(b->geometry);
@@ -106,12 +106,12 @@ static bool alike(const struct um_model *a, const struct um_model *b, bool in_in
   return true;
 }
 
-bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b)
+bool um_model_mirrors_equal(const struct um_model *a, const struct um_model *b)
 {
-  return alike(a, b, true);
+  return mirrors_equal(a, b, true);
 }
 
-bool um_model_mirrors_alike_in_sunlight(const struct um_model *a, const struct um_model *b)
+bool um_model_mirrors_equal_in_sunlight(const struct um_model *a, const struct um_model *b)
 {
-  return alike(a, b, false);
+  return mirrors_equal(a, b, false);
 }

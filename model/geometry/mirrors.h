@@ -12,9 +12,9 @@ enum um_status um_model_mirrors_create(struct um_context *context, const struct 
                                        struct um_geometry_mirrors **out);
 
 /* *out: have surfaces of both models, of equal geometry, the same classes? */
-enum um_status um_model_mirror_classes_serve(struct um_context *context,
-                                             const struct um_model *made,
-                                             const struct um_model *model, bool *out);
+enum um_status um_model_mirror_classes_are_compatible(struct um_context *context,
+                                                      const struct um_model *made,
+                                                      const struct um_model *model, bool *out);
 
 /* What classes mirror of what they reflect, by the records that the model has now. */
 struct um_model_lobes {
@@ -27,7 +27,7 @@ enum um_status um_model_lobes_make(struct um_context *context, const struct um_m
                                    struct um_model_lobes *out);
 void um_model_lobes_clear(struct um_context *context, struct um_model_lobes *lobes);
 /* Do surfaces of both models mirror the same shares, number for number? */
-bool um_model_mirrors_alike(const struct um_model *a, const struct um_model *b);
-bool um_model_mirrors_alike_in_sunlight(const struct um_model *a, const struct um_model *b);
+bool um_model_mirrors_equal(const struct um_model *a, const struct um_model *b);
+bool um_model_mirrors_equal_in_sunlight(const struct um_model *a, const struct um_model *b);
 
 #endif

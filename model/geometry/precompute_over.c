@@ -2,10 +2,10 @@
 #include "geometry/mirror_paths.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/bounds_impl.h"
+#include "model/geometry/compatible.h"
 #include "model/geometry/points_impl.h"
 #include "model/geometry/precompute.h"
 #include "model/geometry/precompute_group.h"
-#include "model/geometry/precomputed_serves.h"
 
 enum um_status um_model_precompute_at(struct um_context *context, const struct um_model *model,
                                       const double *times, const double *exposures, size_t ntime,
@@ -63,10 +63,10 @@ enum um_status um_model_precompute_like(struct um_context *context, const struct
                                         const struct um_model_instants *instants,
                                         struct um_model_tables **out)
 {
-  bool serves;
+  bool compatible;
   *out = NULL;
-  UM_TRY(um_model_body_serves(context, made, model, &serves));
-  return trace(context, model, instants, serves ? like->body : NULL, out);
+  UM_TRY(um_model_body_is_compatible(context, made, model, &compatible));
+  return trace(context, model, instants, compatible ? like->body : NULL, out);
 }
 
 /* Tables of a row and surface. */

@@ -22,10 +22,11 @@ struct um_model_thermal_sensitivity {
   double *value; /* [nmove][nrow][nnode] dT/dp at the rows of the history */
 };
 
-/* --- what serves ----------------------------------------------------------------------------- */
+/* --- what is applicable
+ * ----------------------------------------------------------------------------- */
 
 /* The same instants and edges; what falls in between may differ. */
-static bool grids_alike(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
+static bool grids_equal(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)
 {
   return a == b || (a->ntime == b->ntime && a->nedge == b->nedge && a->nsurface == b->nsurface &&
                     memcmp(a->t, b->t, a->ntime * sizeof *a->t) == 0 &&
@@ -38,10 +39,9 @@ static bool exchange_small(const struct um_geometry_view_factor_table *table)
   return table == NULL || (table->npose == 1 && table->patches->npatch <= PATCHES);
 }
 
-enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
-                                                   const struct um_model_thermal_solution *heat,
-                                                   const struct um_model *model,
-                                                   const struct um_model_tables *tables, bool *out)
+enum um_status um_model_thermal_sensitivity_is_applicable(
+    struct um_context *context, const struct um_model_thermal_solution *heat,
+    const struct um_model *model, const struct um_model_tables *tables, bool *out)
 {
   (void)context;
   struct um_thermal_solve_options options = um_model_heat_options(model);
@@ -54,9 +54,9 @@ enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
          exchange_small(own->view_factors) && tables->ripple == NULL &&
          (a->start != UM_START_PERIODIC || !isnan(own->period)) && a->start == b->start &&
          um_model_heat_options_equal(&options, &heat->setting.options) &&
-         um_model_times_equal(own, tables) && grids_alike(own->loads, tables->loads) &&
+         um_model_times_equal(own, tables) && grids_equal(own->loads, tables->loads) &&
          um_thermal_network_thermostats(model->body->network) == 0 &&
-         um_thermal_network_alike(heat->model->body->network, model->body->network) &&
+         um_thermal_network_structure_equal(heat->model->body->network, model->body->network) &&
          x.infrared == y.infrared && x.solar == y.solar &&
          um_model_view_factors_equal(own->view_factors, tables->view_factors) &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
@@ -92,10 +92,10 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
   const struct um_model_thermal_solution *heat = w->heat;
   const struct um_model_heat_like like = {heat->model, heat->tables, &heat->setting};
   for (size_t k = 0; k < nmove; k++) {
-    bool serves;
-    UM_TRY(um_model_thermal_sensitivity_serves(w->context, heat, move[k].model, move[k].tables,
-                                               &serves));
-    if (!serves)
+    bool applicable;
+    UM_TRY(um_model_thermal_sensitivity_is_applicable(w->context, heat, move[k].model,
+                                                      move[k].tables, &applicable));
+    if (!applicable)
       return um_core_fail(w->context, UM_ERR_INPUT,
                           "heat sensitivity %zu: the model has other nodes, heaters, times or "
                           "views; accepted: the base's, with other values",

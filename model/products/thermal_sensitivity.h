@@ -18,10 +18,9 @@
  * optics need an exchange of their own, and it is not shown that this costs less than runs; and
  * where thermostats switch: between switchings a derivative says little of a step. *out: yes or no.
  * Does not fail but for memory. */
-enum um_status um_model_thermal_sensitivity_serves(struct um_context *context,
-                                                   const struct um_model_thermal_solution *heat,
-                                                   const struct um_model *model,
-                                                   const struct um_model_tables *tables, bool *out);
+enum um_status um_model_thermal_sensitivity_is_applicable(
+    struct um_context *context, const struct um_model_thermal_solution *heat,
+    const struct um_model *model, const struct um_model_tables *tables, bool *out);
 
 /* One parameter moved by `step` [its unit], not 0: a hundredth of what is plausible or less, as
  * curvature over the step is in the answer. Borrowed for the call. */

@@ -26,20 +26,21 @@ struct um_thermal_exchange_options um_model_exchange_options(const struct um_mod
                                               .solar = model->environment.solar_reflection_on};
 }
 
-bool um_model_exchange_alike(const struct um_model *a, const struct um_model *b)
+bool um_model_exchange_equal(const struct um_model *a, const struct um_model *b)
 {
   struct um_thermal_exchange_options x = um_model_exchange_options(a),
                                      y = um_model_exchange_options(b);
-  return x.infrared == y.infrared && x.solar == y.solar && um_model_mirrors_alike(a, b);
+  return x.infrared == y.infrared && x.solar == y.solar && um_model_mirrors_equal(a, b);
 }
 
 /* Is the radiation between surfaces that of a setting which is at hand? aging: of this model. */
-static bool exchanges_alike(const struct um_model_heat_like *like, const struct um_model *model,
-                            const struct um_model_tables *tables,
-                            const struct um_model_aging *aging)
+static bool exchange_is_compatible(const struct um_model_heat_like *like,
+                                   const struct um_model *model,
+                                   const struct um_model_tables *tables,
+                                   const struct um_model_aging *aging)
 {
   if (like->setting->options.exchange == NULL) return false;
-  return um_model_exchange_alike(like->model, model) &&
+  return um_model_exchange_equal(like->model, model) &&
          um_model_aging_equal(like->setting->aging, aging) &&
          um_thermal_network_optics_equal(like->model->body->network, model->body->network) &&
          um_model_view_factors_equal(like->tables->view_factors, tables->view_factors) &&
@@ -47,13 +48,13 @@ static bool exchanges_alike(const struct um_model_heat_like *like, const struct 
 }
 
 /* Do surfaces reflect the same sunlight to each other as those of a setting that is at hand? */
-static bool sunlight_alike(const struct um_model_heat_like *like, const struct um_model *model,
+static bool sunlight_equal(const struct um_model_heat_like *like, const struct um_model *model,
                            const struct um_model_tables *tables,
                            const struct um_model_heat_setting *setting)
 {
   return like->tables == tables &&
          um_model_exchange_options(like->model).solar == um_model_exchange_options(model).solar &&
-         um_model_mirrors_alike_in_sunlight(like->model, model) &&
+         um_model_mirrors_equal_in_sunlight(like->model, model) &&
          um_model_aging_equal(like->setting->aging, setting->aging) &&
          um_thermal_network_solar_equal(like->model->body->network, model->body->network);
 }
@@ -77,7 +78,7 @@ static enum um_status exchange_make(struct um_context *context, const struct um_
   if (tables->view_factors == NULL) return UM_OK;
   exchange.aging = out->options.aging;
   if (like != NULL) exchange.like = like->setting->options.exchange;
-  if (exchange.like != NULL) exchange.like_sunlight = sunlight_alike(like, model, tables, out);
+  if (exchange.like != NULL) exchange.like_sunlight = sunlight_equal(like, model, tables, out);
   struct um_model_lobes lobes = {0};
   enum um_status status = UM_OK;
   if (tables->view_factors->mirrors != NULL) {
@@ -108,7 +109,7 @@ enum um_status um_model_heat_setting_moved(struct um_context *context, const str
                                            struct um_model_heat_setting *out)
 {
   UM_TRY(begin(context, model, tables, out));
-  if (!exchanges_alike(like, model, tables, out->aging))
+  if (!exchange_is_compatible(like, model, tables, out->aging))
     return exchange_make(context, model, tables, like, out);
   out->options.exchange = like->setting->options.exchange;
   return UM_OK;

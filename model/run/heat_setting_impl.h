@@ -50,6 +50,6 @@ void um_model_heat_setting_clear(struct um_context *context, struct um_model_hea
 struct um_thermal_solve_options um_model_heat_options(const struct um_model *model);
 struct um_thermal_exchange_options um_model_exchange_options(const struct um_model *model);
 /* Do surfaces of both models exchange heat in the same ways, and mirror the same shares? */
-bool um_model_exchange_alike(const struct um_model *a, const struct um_model *b);
+bool um_model_exchange_equal(const struct um_model *a, const struct um_model *b);
 
 #endif

@@ -235,14 +235,15 @@ void um_model_thermal_solution_destroy(struct um_context *context,
 static bool exchange_equal(const struct um_model_thermal_solution *heat,
                            const struct um_model *model, const struct um_model_tables *tables)
 {
-  return um_model_exchange_alike(heat->model, model) &&
+  return um_model_exchange_equal(heat->model, model) &&
          um_model_view_factors_equal(heat->tables->view_factors, tables->view_factors);
 }
 
-enum um_status um_model_thermal_solution_matches(struct um_context *context,
-                                                 const struct um_model_thermal_solution *heat,
-                                                 const struct um_model *model,
-                                                 const struct um_model_tables *tables, bool *out)
+enum um_status um_model_thermal_solution_is_compatible(struct um_context *context,
+                                                       const struct um_model_thermal_solution *heat,
+                                                       const struct um_model *model,
+                                                       const struct um_model_tables *tables,
+                                                       bool *out)
 {
   struct um_thermal_solve_options options = um_model_heat_options(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,

@@ -41,9 +41,10 @@ void um_model_thermal_solution_destroy(struct um_context *context,
                                        struct um_model_thermal_solution **heat);
 /* *out: true when the model has the same temperatures on these geometry tables: network,
  * loads, times, settings and what ages are equal, number for number. What an effect refuses. */
-enum um_status um_model_thermal_solution_matches(struct um_context *context,
-                                                 const struct um_model_thermal_solution *heat,
-                                                 const struct um_model *model,
-                                                 const struct um_model_tables *tables, bool *out);
+enum um_status um_model_thermal_solution_is_compatible(struct um_context *context,
+                                                       const struct um_model_thermal_solution *heat,
+                                                       const struct um_model *model,
+                                                       const struct um_model_tables *tables,
+                                                       bool *out);
 
 #endif

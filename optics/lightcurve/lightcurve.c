@@ -304,7 +304,7 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
     return um_core_fail(context, UM_ERR_INPUT, "view of %zu surfaces for a geometry of %zu",
                         scene->view->nsurface, nsurface);
   UM_CHECK(job_create(context, bands, nband, &job));
-  if (um_optics_photon_maps_serve(scene->photons, scene, job.coarse.spectra))
+  if (um_optics_photon_maps_are_compatible(scene->photons, scene, job.coarse.spectra))
     job.photons = scene->photons;
   UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
   um_core_progress_begin(context, "computing light curves", ntime);

@@ -169,9 +169,9 @@ static bool same_mirror(const struct um_materials_lobe *a, const struct um_mater
          same_mixture(a->mixture, b->mixture);
 }
 
-bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,
-                                 const struct um_optics_scene *scene,
-                                 const struct um_optics_spectra *spectra)
+bool um_optics_photon_maps_are_compatible(const struct um_optics_photon_maps *maps,
+                                          const struct um_optics_scene *scene,
+                                          const struct um_optics_spectra *spectra)
 {
   if (maps == NULL || scene->ages || maps->ntime != scene->view->ntime ||
       maps->samples != scene->interreflection_samples || maps->nskin != spectra->nskin)

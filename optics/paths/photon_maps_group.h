@@ -7,9 +7,9 @@
 
 /* Do the scene's ways have the same mirrors, instants and numbers as those that are kept? Geometry
  * and view are the same for who asks. */
-bool um_optics_photon_maps_serve(const struct um_optics_photon_maps *maps,
-                                 const struct um_optics_scene *scene,
-                                 const struct um_optics_spectra *spectra);
+bool um_optics_photon_maps_are_compatible(const struct um_optics_photon_maps *maps,
+                                          const struct um_optics_scene *scene,
+                                          const struct um_optics_spectra *spectra);
 /* Photons of an instant, in place of um_optics_photons_trace; there is room for them. */
 void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t time,
                                 struct um_optics_photons *photons);

@@ -165,8 +165,8 @@ bool um_thermal_network_equal(const struct um_thermal_network *a,
                               const struct um_thermal_network *b);
 /* True when values alone differ: the same kinds of nodes, as many thermostats, power histories of
  * the same times. */
-bool um_thermal_network_alike(const struct um_thermal_network *a,
-                              const struct um_thermal_network *b);
+bool um_thermal_network_structure_equal(const struct um_thermal_network *a,
+                                        const struct um_thermal_network *b);
 /* True when surfaces take and give radiation alike: areas, absorptances, emittances and their laws,
  * what exchange between them is made of. */
 bool um_thermal_network_optics_equal(const struct um_thermal_network *a,

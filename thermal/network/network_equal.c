@@ -121,8 +121,8 @@ bool um_thermal_network_solar_equal(const struct um_thermal_network *a,
   return true;
 }
 
-bool um_thermal_network_alike(const struct um_thermal_network *a,
-                              const struct um_thermal_network *b)
+bool um_thermal_network_structure_equal(const struct um_thermal_network *a,
+                                        const struct um_thermal_network *b)
 {
   if (a->nnode != b->nnode || a->nthermostat != b->nthermostat || a->nsource != b->nsource)
     return false;

@@ -27,7 +27,7 @@
 #define DENSE       40.0  /* operations per entry of the factors beyond which CHOLMOD is taken */
 #define DENSE_MIXED 250.0 /* the same where the balance is not symmetric */
 #define KRYLOV      40    /* most products of one solution */
-#define ALIKE       1e-12 /* relative difference of mirrored entries that rounding makes */
+#define NEARLY      1e-12 /* relative difference of mirrored entries that rounding makes */
 #define SWEEPS      2     /* toward a scaling */
 #define STEEPEST    5.0   /* largest |r_i| of one sweep */
 #define NO_MIRROR   ((size_t)-1)
@@ -175,7 +175,7 @@ static enum um_status klu_instead(struct um_thermal_linear *linear)
   return klu_factor(linear);
 }
 
-static bool alike(double a, double b) { return fabs(a - b) <= ALIKE * (fabs(a) + fabs(b)); }
+static bool nearly_equal(double a, double b) { return fabs(a - b) <= NEARLY * (fabs(a) + fabs(b)); }
 
 /* D = C with the sign of the diagonal; is D A symmetric? */
 static bool scale_begin(struct um_thermal_linear *linear)
@@ -191,7 +191,7 @@ static bool scale_begin(struct um_thermal_linear *linear)
     for (size_t e = (size_t)system->column[k]; e < (size_t)system->column[k + 1]; e++) {
       size_t mirror = linear->mirror[e];
       double opposite = mirror == NO_MIRROR ? 0.0 : value[mirror] * linear->scale[k];
-      if (!alike(value[e] * linear->scale[system->row[e]], opposite)) symmetric = false;
+      if (!nearly_equal(value[e] * linear->scale[system->row[e]], opposite)) symmetric = false;
     }
   return symmetric;
 }
@@ -212,7 +212,7 @@ static void scale_sweep(struct um_thermal_linear *linear)
       if (!(below * across > 0.0)) continue;
       double size = sqrt(below * across);
       weight += size;
-      if (!alike(below, across)) sum += size * log(below / across);
+      if (!nearly_equal(below, across)) sum += size * log(below / across);
     }
     if (weight > 0.0) linear->scale[k] *= exp(fmax(-STEEPEST, fmin(STEEPEST, sum / weight)));
   }

@@ -5,8 +5,8 @@
 
 #include "base/core/interpolation.h"
 #include "model/build/build.h"
+#include "model/geometry/compatible.h"
 #include "model/geometry/precompute.h"
-#include "model/geometry/precomputed_serves.h"
 #include "model/run/run.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/temporary.h"
@@ -173,18 +173,18 @@ static void test_run(void **state)
 }
 
 /* One does not serve for the other; where a step is stated there is but one. */
-static void test_serves(void **state)
+static void test_compatible(void **state)
 {
   (void)state;
   const char *const step[] = {"thermal.step_s=2"};
   const struct um_model_options options = {.overrides = step, .noverride = 1};
-  bool serves;
-  need(um_model_tables_serves(context, model, few, &sparse, model, &serves));
-  assert_true(serves);
-  need(um_model_tables_serves(context, model, few, NULL, model, &serves));
-  assert_false(serves);
-  need(um_model_tables_serves(context, model, dense, &sparse, model, &serves));
-  assert_false(serves);
+  bool compatible;
+  need(um_model_tables_are_compatible(context, model, few, &sparse, model, &compatible));
+  assert_true(compatible);
+  need(um_model_tables_are_compatible(context, model, few, NULL, model, &compatible));
+  assert_false(compatible);
+  need(um_model_tables_are_compatible(context, model, dense, &sparse, model, &compatible));
+  assert_false(compatible);
   struct um_model *stated;
   struct um_model_tables *p;
   need(um_model_create(context, path, &options, &stated));
@@ -198,6 +198,6 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_between),
                                      cmocka_unit_test(test_columns), cmocka_unit_test(test_run),
-                                     cmocka_unit_test(test_serves)};
+                                     cmocka_unit_test(test_compatible)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

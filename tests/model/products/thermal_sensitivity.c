@@ -145,7 +145,7 @@ static void differences(const struct um_model_options *options, const struct mov
   struct um_model_thermal_move move[MOVES];
   struct um_model_thermal_solution *heat, *moved;
   struct um_model_thermal_sensitivity *s;
-  bool serves;
+  bool applicable;
   assert_true(nmove <= MOVES);
   assert_int_equal(um_model_create(context, SCENARIO, options, &base.model), UM_OK);
   assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
@@ -155,10 +155,10 @@ static void differences(const struct um_model_options *options, const struct mov
     double step = moves_of[k].small * moves_of[k].width;
     small[k] = variant(&base, &moves_of[k], step);
     move[k] = (struct um_model_thermal_move){small[k].model, small[k].tables, step};
-    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, small[k].model,
-                                                         small[k].tables, &serves),
+    assert_int_equal(um_model_thermal_sensitivity_is_applicable(context, heat, small[k].model,
+                                                                small[k].tables, &applicable),
                      UM_OK);
-    if (!serves) fail_msg("%s does not serve", moves_of[k].effect);
+    if (!applicable) fail_msg("%s is not applicable", moves_of[k].effect);
   }
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, nmove, &s), UM_OK);
   for (size_t k = 0; k < nmove; k++) {
@@ -220,10 +220,11 @@ static void test_refused(void **state)
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     struct world w = variant(&base, &others[k], others[k].width);
     const struct um_model_thermal_move move = {w.model, w.tables, 1.0};
-    bool serves;
-    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, w.model, w.tables, &serves),
-                     UM_OK);
-    if (serves) fail_msg("%s serves", others[k].effect);
+    bool applicable;
+    assert_int_equal(
+        um_model_thermal_sensitivity_is_applicable(context, heat, w.model, w.tables, &applicable),
+        UM_OK);
+    if (applicable) fail_msg("%s is applicable", others[k].effect);
     assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s),
                      UM_ERR_INPUT);
     assert_null(s);
@@ -263,7 +264,7 @@ static void test_left_to_runs(void **state)
   for (size_t i = 0; i < 2; i++) {
     struct world base = {0};
     struct um_model_thermal_solution *heat;
-    bool serves;
+    bool applicable;
     assert_int_equal(um_model_create(context, SCENARIO, &options[i], &base.model), UM_OK);
     assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
     if (i == 0) assert_non_null(base.tables->ripple);
@@ -272,9 +273,10 @@ static void test_left_to_runs(void **state)
         um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat),
         UM_OK);
     struct world w = variant(&base, &power, 1.0);
-    assert_int_equal(um_model_thermal_sensitivity_serves(context, heat, w.model, w.tables, &serves),
-                     UM_OK);
-    assert_false(serves);
+    assert_int_equal(
+        um_model_thermal_sensitivity_is_applicable(context, heat, w.model, w.tables, &applicable),
+        UM_OK);
+    assert_false(applicable);
     um_model_thermal_solution_destroy(context, &heat);
     world_release(&w);
     world_release(&base);

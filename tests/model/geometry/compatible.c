@@ -1,22 +1,22 @@
-/* Which models geometry tables serve: for every key below the answer is that of tracing
- * anew and comparing all that was traced, number for number; and for every member of the
+/* Which models geometry tables are compatible with: for every key below the answer is that of
+ * tracing anew and comparing all that was traced, number for number; and for every member of the
  * environment, whether what is traced depends on it. */
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "model/build/build.h"
+#include "model/geometry/compatible.h"
 #include "model/geometry/precompute.h"
-#include "model/geometry/precomputed_serves.h"
 #include "tests/model/traced_help.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/with_context.h"
 
-#define FILE_NAME "precomputed_serves_scenario.yaml"
+#define FILE_NAME "compatible_scenario.yaml"
 
 static const char *const scenario =
     "schema: 1\n"
-    "name: serves\n"
+    "name: compatible\n"
     "time: {start_utc: 2020-03-20T12:00:00Z, stop_utc: 2020-03-20T12:06:00Z, step_s: 60}\n"
     "orbit:\n"
     "  circular: {altitude_km: 600, beta_deg: 20}\n"
@@ -40,32 +40,33 @@ static const char *const scenario =
     "  vis: {from_um: 0.38, to_um: 0.78, bins: 4}\n"
     "  lwir: {from_um: 8, to_um: 12, bins: 4}\n";
 
-/* SERVES, ANOTHER: tracing anew gives the same, or not. BY_CHANCE: it gives the same here, but of
- * numbers that decide what is traced elsewhere: the answer is no. */
-enum expected { ANOTHER, SERVES, BY_CHANCE };
+/* COMPATIBLE, ANOTHER: tracing anew gives the same, or not. BY_CHANCE: it gives the same here, but
+ * of numbers that decide what is traced elsewhere: the answer is no. */
+enum expected { ANOTHER, COMPATIBLE, BY_CHANCE };
 static const struct {
   const char *set, *with;
   enum expected expected;
 } changes[] = {
-    {"parts.box.interior.power_W=50", NULL, SERVES},
-    {"parts.box.interior.capacity_J_K=2000", NULL, SERVES},
-    {"parts.box.shell.areal_heat_capacity_J_m2_K=5000", NULL, SERVES},
-    {"contacts.0.conductance_W_K=2", NULL, SERVES},
-    {"bands.vis.bins=7", NULL, SERVES},
-    {"bands.lwir.from_um=9", NULL, SERVES},
+    {"parts.box.interior.power_W=50", NULL, COMPATIBLE},
+    {"parts.box.interior.capacity_J_K=2000", NULL, COMPATIBLE},
+    {"parts.box.shell.areal_heat_capacity_J_m2_K=5000", NULL, COMPATIBLE},
+    {"contacts.0.conductance_W_K=2", NULL, COMPATIBLE},
+    {"bands.vis.bins=7", NULL, COMPATIBLE},
+    {"bands.lwir.from_um=9", NULL, COMPATIBLE},
     {"parts.box.outside=grey_panel", NULL, ANOTHER}, /* a material less: other indices */
-    {"parts.wing.front=black", NULL, SERVES},        /* a name behind the same index */
-    {"name=other", NULL, SERVES},
-    {"thermal.accuracy_K=0.05", NULL, SERVES},
+    {"parts.wing.front=black", NULL, COMPATIBLE},    /* a name behind the same index */
+    {"name=other", NULL, COMPATIBLE},
+    {"thermal.accuracy_K=0.05", NULL, COMPATIBLE},
     {"thermal.start=periodic", NULL, ANOTHER}, /* an orbit at least: another span */
     {"thermal.orbits_before=2", NULL, ANOTHER},
     {"thermal.step_s=30", NULL, ANOTHER},
     {"thermal.samples=9", NULL, BY_CHANCE}, /* no surface is partly hidden .. */
     {"optics.samples=5", NULL, ANOTHER},    /* .. but how many points the view has is kept in it */
-    {"optics.interreflection_samples=3", NULL, SERVES},
+    {"optics.interreflection_samples=3", NULL, COMPATIBLE},
     {"environment.albedo=0.31", NULL, ANOTHER},
     {"environment.olr_W_m2=200", NULL, ANOTHER},
-    {"environment.brightness_temperature_K=280", NULL, SERVES}, /* uniform: of the light alone */
+    {"environment.brightness_temperature_K=280", NULL,
+     COMPATIBLE}, /* uniform: of the light alone */
     {"environment.solar_irradiance_W_m2=1400", NULL, ANOTHER},
     {"environment.disc=point", NULL, BY_CHANCE}, /* full sunlight */
     {"time.step_s=30", NULL, ANOTHER},
@@ -80,12 +81,12 @@ static const struct {
     {"parts.wing.plate.size_m=[2,1.001]", NULL, ANOTHER},
     {"parts.wing.joint.normal=[0,0.01,1]", NULL, ANOTHER},
     {"parts.box.facet_size_m=0.7", NULL, ANOTHER},
-    {NULL, "emittance:grey_white,emittance_factor=0.9", SERVES},
-    {NULL, "solar_absorptance:grey_panel", SERVES},
-    {NULL, "roughness:grey_panel", SERVES},
-    {NULL, "internal_power:box", SERVES},
-    {NULL, "earthshine_level", SERVES},
-    {NULL, "zero_point:vis", SERVES},
+    {NULL, "emittance:grey_white,emittance_factor=0.9", COMPATIBLE},
+    {NULL, "solar_absorptance:grey_panel", COMPATIBLE},
+    {NULL, "roughness:grey_panel", COMPATIBLE},
+    {NULL, "internal_power:box", COMPATIBLE},
+    {NULL, "earthshine_level", COMPATIBLE},
+    {NULL, "zero_point:vis", COMPATIBLE},
     {NULL, "albedo_level", ANOTHER},
     {NULL, "area:wing", ANOTHER},
     {NULL, "time_tag", ANOTHER},
@@ -100,7 +101,7 @@ static void need(enum um_status status)
   if (status != UM_OK) fail_msg("%s", um_core_message(context));
 }
 
-static void test_serves_as_traced(void **state)
+static void test_as_traced(void **state)
 {
   (void)state;
   struct um_model *made = NULL;
@@ -120,14 +121,15 @@ static void test_serves_as_traced(void **state)
                                              .with = &changes[i].with,
                                              .nwith = changes[i].with != NULL ? 1 : 0};
     const char *name = changes[i].set != NULL ? changes[i].set : changes[i].with;
-    bool serves = false;
+    bool compatible = false;
     if (um_model_create(context, FILE_NAME, &options, &model) != UM_OK)
       fail_msg("%s: %s", name, um_core_message(context));
     need(um_model_precompute(context, model, &anew));
-    need(um_model_tables_serves(context, made, own, NULL, model, &serves));
+    need(um_model_tables_are_compatible(context, made, own, NULL, model, &compatible));
     bool equal = traced_equal(own, anew);
-    if (serves != (changes[i].expected == SERVES) || equal != (changes[i].expected != ANOTHER)) {
-      print_error("%s: serves %d, traced anew %d\n", name, serves, equal);
+    if (compatible != (changes[i].expected == COMPATIBLE) ||
+        equal != (changes[i].expected != ANOTHER)) {
+      print_error("%s: compatible %d, traced anew %d\n", name, compatible, equal);
       wrong++;
     }
     um_model_tables_destroy(context, &anew);
@@ -195,8 +197,8 @@ static const struct {
   enum expected expected;
 } members[] = {
     MEMBER(solar_irradiance, ANOTHER),
-    MEMBER(spectrum, SERVES), /* .. of light and what materials absorb */
-    MEMBER(solar_temperature, SERVES),
+    MEMBER(spectrum, COMPATIBLE), /* .. of light and what materials absorb */
+    MEMBER(solar_temperature, COMPATIBLE),
     MEMBER(earth, ANOTHER),
     MEMBER(map, ANOTHER),
     MEMBER(albedo, ANOTHER),
@@ -230,25 +232,26 @@ static const struct {
     MEMBER(haze, ANOTHER),
     MEMBER(aerosol, ANOTHER),
     MEMBER(cloud_top, ANOTHER),
-    MEMBER(albedo_on, SERVES), /* switches and factors of heat and light act behind the tables */
-    MEMBER(planet_on, SERVES),
-    MEMBER(earthshine_on, SERVES),
-    MEMBER(earth_reflection_on, SERVES),
+    MEMBER(albedo_on,
+           COMPATIBLE), /* switches and factors of heat and light act behind the tables */
+    MEMBER(planet_on, COMPATIBLE),
+    MEMBER(earthshine_on, COMPATIBLE),
+    MEMBER(earth_reflection_on, COMPATIBLE),
     MEMBER(moonlight_on, ANOTHER), /* rays to the Moon */
-    MEMBER(earthshine_factor, SERVES),
-    MEMBER(earth_reflection_factor, SERVES),
-    MEMBER(earthlight_lobe_on, SERVES),
-    MEMBER(multiple_scattering_on, SERVES),
-    MEMBER(inter_reflection_on, SERVES),
-    MEMBER(mutual_radiation_on, SERVES),
-    MEMBER(solar_reflection_on, SERVES),
+    MEMBER(earthshine_factor, COMPATIBLE),
+    MEMBER(earth_reflection_factor, COMPATIBLE),
+    MEMBER(earthlight_lobe_on, COMPATIBLE),
+    MEMBER(multiple_scattering_on, COMPATIBLE),
+    MEMBER(inter_reflection_on, COMPATIBLE),
+    MEMBER(mutual_radiation_on, COMPATIBLE),
+    MEMBER(solar_reflection_on, COMPATIBLE),
     MEMBER(specular_exchange_on, ANOTHER), /* from off to on: there are no paths by mirrors */
     MEMBER(absorptance_by_angle,
-           SERVES), /* the laws of the surfaces say so, by which moments are */
-    MEMBER(emittance_by_temperature, SERVES),
+           COMPATIBLE), /* the laws of the surfaces say so, by which moments are */
+    MEMBER(emittance_by_temperature, COMPATIBLE),
     MEMBER(gas_density_factor, ANOTHER),
-    MEMBER(sky, SERVES), /* of the station */
-    MEMBER(bulk_by_temperature, SERVES),
+    MEMBER(sky, COMPATIBLE), /* of the station */
+    MEMBER(bulk_by_temperature, COMPATIBLE),
 };
 
 static void test_every_member_of_the_light(void **state)
@@ -267,7 +270,8 @@ static void test_every_member_of_the_light(void **state)
     for (size_t byte = 0; byte < members[m].size; byte += sizeof(double)) {
       moved.environment = every;
       ((unsigned char *)&moved.environment)[members[m].offset + byte] ^= 1;
-      if (um_model_light_serves(&made, &moved) == (members[m].expected == SERVES)) continue;
+      if (um_model_light_is_compatible(&made, &moved) == (members[m].expected == COMPATIBLE))
+        continue;
       print_error("%s: byte %zu\n", members[m].name, byte);
       wrong++;
     }
@@ -276,9 +280,9 @@ static void test_every_member_of_the_light(void **state)
   made.environment.albedo = made.environment.outgoing_longwave = 0.0;
   moved.environment = made.environment;
   made.environment.brightness_temperature = 0.0;
-  assert_false(um_model_light_serves(&made, &moved));
+  assert_false(um_model_light_is_compatible(&made, &moved));
   moved.environment.brightness_temperature = 0.0;
-  assert_true(um_model_light_serves(&made, &moved));
+  assert_true(um_model_light_is_compatible(&made, &moved));
   um_model_destroy(context, &model);
   remove(FILE_NAME);
   assert_int_equal(wrong, 0);
@@ -286,7 +290,7 @@ static void test_every_member_of_the_light(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_serves_as_traced),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_as_traced),
                                      cmocka_unit_test(test_every_member_of_the_light)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -1,6 +1,6 @@
 /* Which models geometry tables are valid for: all that they were traced of is compared, so
  * that nobody has to know which key or effect changes what. */
-#include "model/geometry/precomputed_serves.h"
+#include "model/geometry/compatible.h"
 
 #include <math.h>
 #include <string.h>
@@ -65,8 +65,8 @@ static bool same_air(const struct um_environment *a, const struct um_environment
 }
 
 /* Members of the environment that are not here act behind the geometry tables: each has its line in
- * tests/model/geometry/precomputed_serves.c, which does not compile where one has none. */
-bool um_model_light_serves(const struct um_model *made, const struct um_model *model)
+ * tests/model/geometry/compatible.c, which does not compile where one has none. */
+bool um_model_light_is_compatible(const struct um_model *made, const struct um_model *model)
 {
   const struct um_environment *a = &made->environment, *b = &model->environment;
   return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
@@ -172,8 +172,9 @@ static bool options_equal(const struct um_model *a, const struct um_model *b)
 }
 
 /* Looked at as finely as the model would be over the instants. */
-static bool sampling_serves(const struct um_model_tables *tables,
-                            const struct um_model_instants *instants, const struct um_model *model)
+static bool sampling_is_compatible(const struct um_model_tables *tables,
+                                   const struct um_model_instants *instants,
+                                   const struct um_model *model)
 {
   const struct um_scenario_optics *optics = model->scenario->optics;
   struct um_model_sampling asked = {0, 0};
@@ -190,25 +191,27 @@ static bool skies_equal(const struct um_model *a, const struct um_model *b)
          um_irradiation_wants_sky(b->geometry, &b->environment);
 }
 
-enum um_status um_model_body_serves(struct um_context *context, const struct um_model *made,
-                                    const struct um_model *model, bool *out)
+enum um_status um_model_body_is_compatible(struct um_context *context, const struct um_model *made,
+                                           const struct um_model *model, bool *out)
 {
   *out = um_geometry_equal(made->geometry, model->geometry) && made->points == model->points &&
          !um_geometry_joint_moves(model->geometry) && skies_equal(made, model) &&
          um_model_exchange_options_equal(made, model);
-  return *out ? um_model_mirror_classes_serve(context, made, model, out) : UM_OK;
+  return *out ? um_model_mirror_classes_are_compatible(context, made, model, out) : UM_OK;
 }
 
-enum um_status um_model_tables_serves(struct um_context *context, const struct um_model *made,
-                                      const struct um_model_tables *tables,
-                                      const struct um_model_instants *instants,
-                                      const struct um_model *model, bool *out)
+enum um_status um_model_tables_are_compatible(struct um_context *context,
+                                              const struct um_model *made,
+                                              const struct um_model_tables *tables,
+                                              const struct um_model_instants *instants,
+                                              const struct um_model *model, bool *out)
 {
   *out = made->points == model->points && made->has_observer == model->has_observer &&
          um_geometry_equal(made->geometry, model->geometry) && options_equal(made, model) &&
-         sampling_serves(tables, instants, model) && um_model_light_serves(made, model);
+         sampling_is_compatible(tables, instants, model) &&
+         um_model_light_is_compatible(made, model);
   if (*out && model->points) return same_points(context, tables, instants, model, out);
-  if (*out) UM_TRY(um_model_mirror_classes_serve(context, made, model, out));
+  if (*out) UM_TRY(um_model_mirror_classes_are_compatible(context, made, model, out));
   if (*out) UM_TRY(same_times(context, tables, instants, model, out));
   if (*out) UM_TRY(same_scene(context, tables, model, out));
   return UM_OK;
