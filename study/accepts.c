@@ -23,8 +23,8 @@ bool um_study_accepts(void *user, const double *parameter, const double *value)
   const struct um_study *study = user;
   bool has_sign = um_study_light_has_sign(study->model), same_sight = true;
   (void)parameter;
-  for (size_t i = 0; i < study->nway; i++) {
-    has_sign = has_sign || changes_readings(study->way[i].effect);
+  for (size_t i = 0; i < study->nbinding; i++) {
+    has_sign = has_sign || changes_readings(study->binding[i].effect);
     same_sight = same_sight && !study->moves_geometry[i];
   }
   for (size_t i = 0; i < study->nvalue; i++) {

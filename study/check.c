@@ -17,8 +17,8 @@ static enum um_status time_of_point(struct um_context *context, struct um_study 
                                     double *seconds)
 {
   double parameter[UM_STUDY_PARAMETERS_MAX], *value = NULL;
-  for (size_t i = 0; i < study->nway; i++)
-    parameter[i] = um_uncertainty_distribution_value(&study->way[i].distribution, 0.5);
+  for (size_t i = 0; i < study->nbinding; i++)
+    parameter[i] = um_uncertainty_distribution_value(&study->binding[i].distribution, 0.5);
   UM_TRY(um_core_allocate(context, study->nvalue, sizeof *value, &value));
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
@@ -49,20 +49,20 @@ enum um_status um_study_print_check(struct um_context *context, struct um_study 
           study->model->scenario->name, study->noutput, study->ntime);
   fprintf(file, "%-40s %12s %12s %12s  %s\n", "parameter", "from", "to", "scenario",
           "computed anew");
-  for (size_t i = 0; i < study->nway; i++) {
-    um_uncertainty_distribution_ends(&study->way[i].distribution, &least, &largest);
-    fprintf(file, "%-40s %12.6g %12.6g ", study->way[i].name, least, largest);
-    if (isnan(study->way[i].nominal))
+  for (size_t i = 0; i < study->nbinding; i++) {
+    um_uncertainty_distribution_ends(&study->binding[i].distribution, &least, &largest);
+    fprintf(file, "%-40s %12.6g %12.6g ", study->binding[i].name, least, largest);
+    if (isnan(study->binding[i].nominal))
       fprintf(file, "%12s", "-");
     else
-      fprintf(file, "%12.6g", study->way[i].nominal);
+      fprintf(file, "%12.6g", study->binding[i].nominal);
     fprintf(file, "  %s\n", needs(study, i));
   }
   fprintf(file, "a run of its own takes ");
   print_time(file, study->seconds_run);
   fprintf(file, ", a point in the middle %.2g s\n", seconds);
   if (f->mode == UM_STUDY_SURROGATE) {
-    solved = fmin(f->held_out + 1 + GEOMETRY_TYPICAL * (double)study->nway, f->evaluations);
+    solved = fmin(f->held_out + 1 + GEOMETRY_TYPICAL * (double)study->nbinding, f->evaluations);
     fprintf(file, "surrogate: about %.0f points to solve, at most %d\n", solved, f->evaluations);
   }
   fprintf(file, "about ");

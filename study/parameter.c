@@ -22,19 +22,19 @@ static enum um_status blame(struct um_context *context, const struct um_study_fi
 }
 
 /* The value that the scenario has of an effect's parameter: the null value where it has it not. */
-static double value_in(const struct um_model *model, const struct um_study_way *way)
+static double value_in(const struct um_model *model, const struct um_study_binding *binding)
 {
   for (size_t i = 0; i < model->neffect; i++) {
     const struct um_model_effect *e = &model->effect[i];
-    if (!e->off && e->effect == way->effect && um_core_words_same(e->target, way->target))
-      return e->value[way->which];
+    if (!e->off && e->effect == binding->effect && um_core_words_same(e->target, binding->target))
+      return e->value[binding->which];
   }
-  return way->effect->parameters[way->which].null_value;
+  return binding->effect->parameters[binding->which].null_value;
 }
 
-static enum um_status material_way(struct um_context *context, const struct um_model *model,
-                                   const struct um_study_file_parameter *p,
-                                   struct um_study_way *out)
+static enum um_status material_binding(struct um_context *context, const struct um_model *model,
+                                       const struct um_study_file_parameter *p,
+                                       struct um_study_binding *out)
 {
   bool emittance = p->property == UM_STUDY_EMITTANCE;
   out->effect = um_effects_find(emittance ? "emittance" : "solar_absorptance");
@@ -57,8 +57,9 @@ static enum um_status material_way(struct um_context *context, const struct um_m
   return UM_OK;
 }
 
-static enum um_status effect_way(struct um_context *context, const struct um_model *model,
-                                 const struct um_study_file_parameter *p, struct um_study_way *out)
+static enum um_status effect_binding(struct um_context *context, const struct um_model *model,
+                                     const struct um_study_file_parameter *p,
+                                     struct um_study_binding *out)
 {
   const struct um_effect *effect = um_effects_registry_find(model->registry, p->effect);
   if (effect == NULL)
@@ -96,73 +97,75 @@ static enum um_status effect_way(struct um_context *context, const struct um_mod
   return UM_OK;
 }
 
-enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
-                                 const struct um_study_file_parameter *p, struct um_study_way *out)
+enum um_status um_study_binding_find(struct um_context *context, const struct um_model *model,
+                                     const struct um_study_file_parameter *p,
+                                     struct um_study_binding *out)
 {
-  *out = (struct um_study_way){.file = p,
-                               .distribution = um_study_distribution(p),
-                               .unit = "",
-                               .of_record = NAN,
-                               .nominal = NAN};
+  *out = (struct um_study_binding){.file = p,
+                                   .distribution = um_study_distribution(p),
+                                   .unit = "",
+                                   .of_record = NAN,
+                                   .nominal = NAN};
   um_study_parameter_name(p, out->name);
-  if (p->material != NULL) UM_TRY(material_way(context, model, p, out));
-  if (p->effect != NULL) UM_TRY(effect_way(context, model, p, out));
+  if (p->material != NULL) UM_TRY(material_binding(context, model, p, out));
+  if (p->effect != NULL) UM_TRY(effect_binding(context, model, p, out));
   if (p->key != NULL) out->nominal = um_document_number(model->document, p->key);
   if (p->unit != NULL) out->unit = p->unit;
   return UM_OK;
 }
 
-bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
-                       const struct um_model *b)
+bool um_study_binding_same(const struct um_study_binding *binding, const struct um_model *a,
+                           const struct um_model *b)
 {
-  return way->effect == NULL || value_in(a, way) == value_in(b, way);
+  return binding->effect == NULL || value_in(a, binding) == value_in(b, binding);
 }
 
 /* --- changes of a point ---------------------------------------------------------------------- */
 
-static bool same_use(const struct um_study_way *a, const struct um_study_way *b)
+static bool same_use(const struct um_study_binding *a, const struct um_study_binding *b)
 {
   return a->effect != NULL && a->effect == b->effect && um_core_words_same(a->target, b->target);
 }
 
 /* The number that the effect's parameter takes. */
-static double effect_value(const struct um_study_way *way, double value)
+static double effect_value(const struct um_study_binding *binding, double value)
 {
-  if (isnan(way->of_record)) return value;
-  return way->file->property == UM_STUDY_EMITTANCE ? value / way->of_record
-                                                   : value - way->of_record;
+  if (isnan(binding->of_record)) return value;
+  return binding->file->property == UM_STUDY_EMITTANCE ? value / binding->of_record
+                                                       : value - binding->of_record;
 }
 
-/* The effect of a way: parameters that ways move, the others as the scenario has them. */
+/* The effect of a binding: what is bound moves, other parameters are as the scenario has them. */
 static struct um_model_addition addition_of(const struct um_model *nominal,
-                                            const struct um_study_way *way, size_t nway,
+                                            const struct um_study_binding *binding, size_t nbinding,
                                             const double *value, size_t first)
 {
-  struct um_model_addition a = {.effect = way[first].effect, .target = way[first].target};
-  struct um_study_way each = way[first];
+  struct um_model_addition a = {.effect = binding[first].effect, .target = binding[first].target};
+  struct um_study_binding each = binding[first];
   for (each.which = 0; each.which < a.effect->nparameter; each.which++)
     a.value[each.which] = value_in(nominal, &each);
-  for (size_t i = first; i < nway; i++)
-    if (same_use(&way[first], &way[i])) a.value[way[i].which] = effect_value(&way[i], value[i]);
+  for (size_t i = first; i < nbinding; i++)
+    if (same_use(&binding[first], &binding[i]))
+      a.value[binding[i].which] = effect_value(&binding[i], value[i]);
   return a;
 }
 
 enum um_status um_study_changes_make(struct um_context *context, const struct um_model *nominal,
-                                     const struct um_study_way *way, size_t nway,
+                                     const struct um_study_binding *binding, size_t nbinding,
                                      const double *value, struct um_study_changes *out)
 {
   *out = (struct um_study_changes){0};
-  UM_TRY(um_core_allocate(context, nway, sizeof *out->key, &out->key));
-  UM_TRY(um_core_allocate(context, nway, sizeof *out->addition, &out->addition));
-  for (size_t i = 0; i < nway; i++) {
+  UM_TRY(um_core_allocate(context, nbinding, sizeof *out->key, &out->key));
+  UM_TRY(um_core_allocate(context, nbinding, sizeof *out->addition, &out->addition));
+  for (size_t i = 0; i < nbinding; i++) {
     bool done = false;
-    for (size_t j = 0; j < i; j++) done = done || same_use(&way[j], &way[i]);
+    for (size_t j = 0; j < i; j++) done = done || same_use(&binding[j], &binding[i]);
     if (done) continue;
-    if (way[i].effect == NULL)
+    if (binding[i].effect == NULL)
       out->key[out->all.nkey++] =
-          (struct um_document_change){.key = way[i].file->key, .number = value[i]};
+          (struct um_document_change){.key = binding[i].file->key, .number = value[i]};
     else
-      out->addition[out->all.naddition++] = addition_of(nominal, way, nway, value, i);
+      out->addition[out->all.naddition++] = addition_of(nominal, binding, nbinding, value, i);
   }
   out->all.key = out->key;
   out->all.addition = out->addition;

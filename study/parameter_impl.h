@@ -8,7 +8,7 @@
 #include "study/file.h"
 
 /* What a value becomes: that of a key, or of an effect's parameter. */
-struct um_study_way {
+struct um_study_binding {
   const struct um_study_file_parameter *file;
   struct um_uncertainty_distribution distribution;
   char name[UM_STUDY_NAME];
@@ -21,23 +21,25 @@ struct um_study_way {
 };
 /* Against the scenario as it stands. UM_ERR_INPUT with file and line of the study: no such
  * material, effect, parameter or target, a property outside 0 to 1. */
-enum um_status um_study_way_find(struct um_context *context, const struct um_model *model,
-                                 const struct um_study_file_parameter *parameter,
-                                 struct um_study_way *out);
+enum um_status um_study_binding_find(struct um_context *context, const struct um_model *model,
+                                     const struct um_study_file_parameter *parameter,
+                                     struct um_study_binding *out);
 /* Have two models the same value of the effect's parameter? True of a key. */
-bool um_study_way_same(const struct um_study_way *way, const struct um_model *a,
-                       const struct um_model *b);
+bool um_study_binding_same(const struct um_study_binding *binding, const struct um_model *a,
+                           const struct um_model *b);
 
 /* --- twice.c --- */
-/* UM_ERR_INPUT with both names and lines: two ways to one place of the scenario, or to one
+/* UM_ERR_INPUT with both names and lines: two bindings to one place of the scenario, or to one
  * parameter of an effect; a key that contains another. */
-enum um_status um_study_ways_check(struct um_context *context, const struct um_model *model,
-                                   const struct um_study_way *way, size_t nway);
-/* The same of what only shows in `moved`, the model with way `at` alone away from the scenario: it
- * moves what another way states. */
-enum um_status um_study_ways_check_moved(struct um_context *context, const struct um_model *model,
-                                         const struct um_model *moved,
-                                         const struct um_study_way *way, size_t nway, size_t at);
+enum um_status um_study_bindings_check(struct um_context *context, const struct um_model *model,
+                                       const struct um_study_binding *binding, size_t nbinding);
+/* The same of what only shows in `moved`, the model with binding `at` alone away from the scenario:
+ * it moves what another binding states. */
+enum um_status um_study_bindings_check_moved(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model *moved,
+                                             const struct um_study_binding *binding,
+                                             size_t nbinding, size_t at);
 
 /* Changes of the scenario at parameter values. */
 struct um_study_changes {
@@ -45,10 +47,10 @@ struct um_study_changes {
   struct um_model_addition *addition; /* owned */
   struct um_model_changes all;
 };
-/* way, value: [nway], borrowed while the changes are used. UM_ERR_MEMORY. Cleared by the caller,
- * after a failure too. */
+/* binding, value: [nbinding], borrowed while the changes are used. UM_ERR_MEMORY. Cleared by the
+ * caller, after a failure too. */
 enum um_status um_study_changes_make(struct um_context *context, const struct um_model *nominal,
-                                     const struct um_study_way *way, size_t nway,
+                                     const struct um_study_binding *binding, size_t nbinding,
                                      const double *value, struct um_study_changes *out);
 void um_study_changes_clear(struct um_context *context, struct um_study_changes *changes);
 

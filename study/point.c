@@ -5,12 +5,13 @@
 #include "study/study_impl.h"
 
 enum um_status um_study_open(struct um_context *context, const struct um_study *study,
-                             const struct um_study_way *way, size_t nway, const double *value,
-                             struct um_variant *out)
+                             const struct um_study_binding *binding, size_t nbinding,
+                             const double *value, struct um_variant *out)
 {
   struct um_study_changes changes = {0};
   *out = (struct um_variant){0};
-  enum um_status status = um_study_changes_make(context, study->model, way, nway, value, &changes);
+  enum um_status status =
+      um_study_changes_make(context, study->model, binding, nbinding, value, &changes);
   if (status == UM_OK) status = um_variant_open(context, study->evaluator, &changes.all, NULL, out);
   um_study_changes_clear(context, &changes);
   return status;
@@ -21,7 +22,8 @@ enum um_status um_study_point(struct um_context *context, void *user, const doub
 {
   struct um_study *study = user;
   struct um_variant v;
-  enum um_status status = um_study_open(context, study, study->way, study->nway, parameter, &v);
+  enum um_status status =
+      um_study_open(context, study, study->binding, study->nbinding, parameter, &v);
   if (status == UM_OK)
     status = um_variant_values(context, &study->curves, &study->accuracy, &v, value);
   um_variant_close(context, &v);

@@ -16,21 +16,21 @@
  * added to those on record. */
 static enum um_status identify(struct um_context *context, struct um_study *study)
 {
-  uint64_t ways = UM_CORE_DIGEST_BEGIN, outputs = UM_CORE_DIGEST_BEGIN;
+  uint64_t bindings = UM_CORE_DIGEST_BEGIN, outputs = UM_CORE_DIGEST_BEGIN;
   const double tolerance[] = {study->accuracy.tolerance.factor, study->accuracy.tolerance.periodic};
-  for (size_t i = 0; i < study->nway; i++) {
-    const struct um_study_way *w = &study->way[i];
+  for (size_t i = 0; i < study->nbinding; i++) {
+    const struct um_study_binding *w = &study->binding[i];
     const char *const is[] = {w->file->key != NULL ? w->file->key : w->effect->name,
                               w->target != NULL ? w->target : ""};
-    ways = um_core_digest_texts(ways, is, 2);
-    ways = um_core_digest(ways, &w->which, sizeof w->which);
-    ways = um_core_digest(ways, &w->of_record, sizeof w->of_record);
+    bindings = um_core_digest_texts(bindings, is, 2);
+    bindings = um_core_digest(bindings, &w->which, sizeof w->which);
+    bindings = um_core_digest(bindings, &w->of_record, sizeof w->of_record);
   }
   for (size_t q = 0; q < study->noutput; q++) {
     outputs = um_core_digest(outputs, &study->output[q].kind, sizeof study->output[q].kind);
     outputs = um_core_digest_texts(outputs, &study->output[q].of, 1);
   }
-  UM_TRY(um_study_identity_add(context, study->identity, "the study's parameters", ways));
+  UM_TRY(um_study_identity_add(context, study->identity, "the study's parameters", bindings));
   UM_TRY(um_study_identity_add(context, study->identity, "the study's outputs", outputs));
   return um_study_identity_add(context, study->identity,
                                "the tolerances of points (error of the study)",
@@ -58,7 +58,7 @@ static enum um_status solve(struct um_context *context, const struct um_study *s
                             double *value, char **reason)
 {
   enum um_status status;
-  size_t d = study->nway, nkey = 0;
+  size_t d = study->nbinding, nkey = 0;
   struct place *place = NULL;
   double *key = NULL, *sorted = NULL, *answer = NULL;
   char **why = NULL;
@@ -103,13 +103,14 @@ static enum um_status evaluate(struct um_context *context, void *user, const dou
   enum um_status status;
   struct evaluator *e = user;
   const struct um_study *study = e->study;
-  size_t d = study->nway, nvalue = study->nvalue;
+  size_t d = study->nbinding, nvalue = study->nvalue;
   double *parameter = NULL;
   char **reason = NULL;
   UM_CHECK(um_core_allocate(context, n * d, sizeof *parameter, &parameter));
   UM_CHECK(um_core_allocate(context, n, sizeof *reason, &reason));
   for (size_t i = 0; i < n * d; i++)
-    parameter[i] = um_uncertainty_distribution_at_place(&study->way[i % d].distribution, place[i]);
+    parameter[i] =
+        um_uncertainty_distribution_at_place(&study->binding[i % d].distribution, place[i]);
   UM_CHECK(solve(context, study, e->batch, parameter, n, value, reason));
   e->solved += n;
   for (size_t i = 0; i < n; i++) {
@@ -147,7 +148,7 @@ static enum um_status grow(struct um_context *context, const struct um_study *st
                                              .floor = UM_STUDY_FLOOR};
   }
   const struct um_uncertainty_surrogate_request request = {
-      .d = study->nway,
+      .d = study->nbinding,
       .nvalue = study->nvalue,
       .ngroup = r->nquantity,
       .group = group,
@@ -171,11 +172,12 @@ static enum um_status look_up(struct um_context *context, const struct um_study 
                               struct um_study_result *r)
 {
   enum um_status status;
-  size_t d = study->nway;
+  size_t d = study->nbinding;
   double *place = NULL;
   UM_CHECK(um_core_allocate(context, r->npoint * d, sizeof *place, &place));
   for (size_t i = 0; i < r->npoint * d; i++)
-    place[i] = um_uncertainty_distribution_place(&study->way[i % d].distribution, r->parameter[i]);
+    place[i] =
+        um_uncertainty_distribution_place(&study->binding[i % d].distribution, r->parameter[i]);
   UM_CHECK(um_uncertainty_surrogate_at(context, r->surrogate, place, r->npoint, r->value));
   for (size_t i = 0; i < r->npoint * r->nvalue; i++)
     if (isnan(study->nominal[i % r->nvalue])) r->value[i] = NAN;
@@ -223,7 +225,7 @@ static enum um_status copy_distribution(struct um_context *context,
 static enum um_status describe(struct um_context *context, const struct um_study *study,
                                struct um_study_result *r)
 {
-  size_t n = study->nway;
+  size_t n = study->nbinding;
   r->design = (enum um_study_design)study->file->design->kind;
   r->base = um_study_base(study);
   r->nparameter = n;
@@ -235,10 +237,10 @@ static enum um_status describe(struct um_context *context, const struct um_study
   UM_TRY(um_core_allocate(context, n, sizeof *r->distribution, &r->distribution));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &r->at_nominal));
   for (size_t i = 0; i < n; i++) {
-    UM_TRY(um_core_strdup(context, study->way[i].name, &r->parameter_name[i]));
-    UM_TRY(um_core_strdup(context, study->way[i].unit, &r->parameter_unit[i]));
-    UM_TRY(copy_distribution(context, &study->way[i].distribution, &r->distribution[i]));
-    r->at_nominal[i] = study->way[i].nominal;
+    UM_TRY(um_core_strdup(context, study->binding[i].name, &r->parameter_name[i]));
+    UM_TRY(um_core_strdup(context, study->binding[i].unit, &r->parameter_unit[i]));
+    UM_TRY(copy_distribution(context, &study->binding[i].distribution, &r->distribution[i]));
+    r->at_nominal[i] = study->binding[i].nominal;
   }
   UM_TRY(um_model_scenario_times(context, study->model, &r->time, &r->ntime));
   UM_TRY(um_core_allocate(context, r->ntime, sizeof(double), &r->sunlit));
@@ -270,7 +272,7 @@ enum um_status um_study_run(struct um_context *context, struct um_study *study,
   struct um_study_result *result = NULL;
   struct um_batch *batch = NULL;
   struct um_batch_task task = study->options.batch;
-  task.work.ncoordinate = study->nway;
+  task.work.ncoordinate = study->nbinding;
   task.work.nvalue = study->nvalue;
   task.work.compute = um_study_point;
   task.accepts = um_study_accepts;

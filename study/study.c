@@ -13,14 +13,14 @@
 #include "model/geometry/precompute.h"
 #include "study/study_impl.h"
 
-static enum um_status find_ways(struct um_context *context, struct um_study *study)
+static enum um_status find_bindings(struct um_context *context, struct um_study *study)
 {
   const struct um_study_file_parameter *p = study->file->parameters.items;
-  study->nway = study->file->parameters.count;
-  UM_TRY(um_core_allocate(context, study->nway, sizeof *study->way, &study->way));
-  for (size_t i = 0; i < study->nway; i++)
-    UM_TRY(um_study_way_find(context, study->model, &p[i], &study->way[i]));
-  return um_study_ways_check(context, study->model, study->way, study->nway);
+  study->nbinding = study->file->parameters.count;
+  UM_TRY(um_core_allocate(context, study->nbinding, sizeof *study->binding, &study->binding));
+  for (size_t i = 0; i < study->nbinding; i++)
+    UM_TRY(um_study_binding_find(context, study->model, &p[i], &study->binding[i]));
+  return um_study_bindings_check(context, study->model, study->binding, study->nbinding);
 }
 
 /* The scenario as it stands, with the time that it takes. */
@@ -107,7 +107,7 @@ static enum um_status prepare(struct um_context *context, const char *path, stru
                                   &study->options.model, &study->identity));
   if (study->options.batch.resume)
     UM_TRY(um_study_identity_check(context, study->identity, study->options.batch.folder));
-  UM_TRY(find_ways(context, study));
+  UM_TRY(find_bindings(context, study));
   UM_TRY(make_nominal(context, study));
   return um_study_share(context, study);
 }
@@ -133,7 +133,7 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_model_destroy(context, &s->model);
   um_study_identity_destroy(context, &s->identity);
   if (s->holds_files) um_core_files_let_go(context);
-  UM_FREE(context, s->way, s->moves_geometry, s->moves_heat, s->output, s->nominal, s->scale,
+  UM_FREE(context, s->binding, s->moves_geometry, s->moves_heat, s->output, s->nominal, s->scale,
           s->curve, s->scenario, s->measurements);
   um_variant_accuracy_release(context, &s->accuracy);
   um_document_destroy(&s->document);

@@ -27,9 +27,9 @@ struct um_study {
   struct um_variant base; /* geometry and heat of the scenario as it stands */
   bool holds_files;
   struct um_study_identity *identity; /* of the scenario; of the points once they are run */
-  struct um_study_way *way;           /* [nway] */
-  size_t nway;
-  bool *moves_geometry, *moves_heat;   /* [nway] */
+  struct um_study_binding *binding;   /* [nbinding] */
+  size_t nbinding;
+  bool *moves_geometry, *moves_heat;   /* [nbinding] */
   struct um_study_output *output;      /* [noutput] */
   size_t noutput, ntime, nvalue;       /* nvalue: noutput curves of ntime */
   double *nominal;                     /* [nvalue]; NaN: nothing is seen */
@@ -58,15 +58,15 @@ enum um_status um_study_limits_make(struct um_context *context, const struct um_
                                     struct um_study_result *result);
 
 /* --- point.c --- */
-/* Model and values of a point. value [nvalue]; parameter [nway]. um_workers_compute, whose user is
- * the study. */
+/* Model and values of a point. value [nvalue]; parameter [nbinding]. um_workers_compute, whose user
+ * is the study. */
 enum um_status um_study_point(struct um_context *context, void *user, const double *parameter,
                               double *value);
-/* The scenario with some ways at values, with its geometry; closed by the caller, after a failure
- * too. */
+/* The scenario with some bindings at values, with its geometry; closed by the caller, after a
+ * failure too. */
 enum um_status um_study_open(struct um_context *context, const struct um_study *study,
-                             const struct um_study_way *way, size_t nway, const double *value,
-                             struct um_variant *out);
+                             const struct um_study_binding *binding, size_t nbinding,
+                             const double *value, struct um_variant *out);
 
 /* --- accepts.c --- */
 /* um_batch_accepts, whose user is the study: temperatures are above 0 K, light is finite and not
@@ -75,7 +75,7 @@ enum um_status um_study_open(struct um_context *context, const struct um_study *
 bool um_study_accepts(void *user, const double *parameter, const double *value);
 
 /* --- points.c --- */
-/* Points of the design: u, parameter [*n][nway], which the caller frees. */
+/* Points of the design: u, parameter [*n][nbinding], which the caller frees. */
 enum um_status um_study_points(struct um_context *context, const struct um_study *study, double **u,
                                double **parameter, size_t *n);
 /* Rows of u of a Saltelli or Morris design; 0 of others. */

@@ -14,20 +14,20 @@ static enum um_status corner_open(struct um_context *context, const struct um_st
                                   struct um_variant *out)
 {
   enum um_status status;
-  struct um_study_way *way = NULL;
+  struct um_study_binding *binding = NULL;
   double *value = NULL, least;
   size_t n = 0;
-  UM_CHECK(um_core_allocate(context, study->nway, sizeof *way, &way));
-  UM_CHECK(um_core_allocate(context, study->nway, sizeof *value, &value));
-  for (size_t i = 0; i < study->nway; i++) {
+  UM_CHECK(um_core_allocate(context, study->nbinding, sizeof *binding, &binding));
+  UM_CHECK(um_core_allocate(context, study->nbinding, sizeof *value, &value));
+  for (size_t i = 0; i < study->nbinding; i++) {
     if (study->moves_geometry[i]) continue;
-    way[n] = study->way[i];
-    um_uncertainty_distribution_ends(&way[n].distribution, &least, &value[n]);
+    binding[n] = study->binding[i];
+    um_uncertainty_distribution_ends(&binding[n].distribution, &least, &value[n]);
     n++;
   }
-  UM_CHECK(um_study_open(context, study, way, n, value, out));
+  UM_CHECK(um_study_open(context, study, binding, n, value, out));
 done:
-  um_core_free(context, way);
+  um_core_free(context, binding);
   um_core_free(context, value);
   return status;
 }
@@ -35,7 +35,7 @@ done:
 /* Does anything need heat of its own? */
 static bool any_heat(const struct um_study *study)
 {
-  for (size_t i = 0; i < study->nway; i++)
+  for (size_t i = 0; i < study->nbinding; i++)
     if (study->moves_heat[i]) return true;
   return false;
 }

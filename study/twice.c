@@ -7,13 +7,13 @@
 
 #define PLACE 1024 /* longest place of a key [byte] */
 
-static enum um_status refuse(struct um_context *context, const struct um_study_way *way,
-                             const struct um_study_way *other)
+static enum um_status refuse(struct um_context *context, const struct um_study_binding *binding,
+                             const struct um_study_binding *other)
 {
-  return um_document_mark_fail(context, &way->file->at,
+  return um_document_mark_fail(context, &binding->file->at,
                                "'%s' moves what '%s' of line %d moves; accepted: one parameter for "
                                "one number",
-                               way->name, other->name, other->file->at.line);
+                               binding->name, other->name, other->file->at.line);
 }
 
 /* Is `part` the place `whole`, or within it? */
@@ -23,8 +23,8 @@ static bool lies_in(const char *part, const char *whole)
   return strncmp(part, whole, n) == 0 && (part[n] == '\0' || part[n] == '.');
 }
 
-static bool same_place(const struct um_model *model, const struct um_study_way *a,
-                       const struct um_study_way *b)
+static bool same_place(const struct um_model *model, const struct um_study_binding *a,
+                       const struct um_study_binding *b)
 {
   char of_a[PLACE], of_b[PLACE];
   if (a->effect != NULL || b->effect != NULL)
@@ -35,21 +35,25 @@ static bool same_place(const struct um_model *model, const struct um_study_way *
   return lies_in(of_a, of_b) || lies_in(of_b, of_a);
 }
 
-enum um_status um_study_ways_check(struct um_context *context, const struct um_model *model,
-                                   const struct um_study_way *way, size_t nway)
+enum um_status um_study_bindings_check(struct um_context *context, const struct um_model *model,
+                                       const struct um_study_binding *binding, size_t nbinding)
 {
-  for (size_t i = 0; i < nway; i++)
+  for (size_t i = 0; i < nbinding; i++)
     for (size_t j = 0; j < i; j++)
-      if (same_place(model, &way[i], &way[j])) return refuse(context, &way[i], &way[j]);
+      if (same_place(model, &binding[i], &binding[j]))
+        return refuse(context, &binding[i], &binding[j]);
   return UM_OK;
 }
 
-enum um_status um_study_ways_check_moved(struct um_context *context, const struct um_model *model,
-                                         const struct um_model *moved,
-                                         const struct um_study_way *way, size_t nway, size_t at)
+enum um_status um_study_bindings_check_moved(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model *moved,
+                                             const struct um_study_binding *binding,
+                                             size_t nbinding, size_t at)
 {
-  if (way[at].effect != NULL) return UM_OK; /* effects were held against each other by name */
-  for (size_t j = 0; j < nway; j++)
-    if (!um_study_way_same(&way[j], model, moved)) return refuse(context, &way[at], &way[j]);
+  if (binding[at].effect != NULL) return UM_OK; /* effects were held against each other by name */
+  for (size_t j = 0; j < nbinding; j++)
+    if (!um_study_binding_same(&binding[j], model, moved))
+      return refuse(context, &binding[at], &binding[j]);
   return UM_OK;
 }

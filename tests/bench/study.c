@@ -33,8 +33,8 @@ static double own_run(const struct bench *bench, const struct um_study *study,
   struct um_model *model = NULL;
   struct um_model_tables *tables = NULL;
   struct um_model_result *result = NULL;
-  bench_must(bench, um_study_changes_make(context, study->model, study->way, study->nway, parameter,
-                                          &changes));
+  bench_must(bench, um_study_changes_make(context, study->model, study->binding, study->nbinding,
+                                          parameter, &changes));
   double begin = bench_cpu();
   bench_must(bench, um_model_variant_create(context, study->model, &changes.all, &model));
   bench_must(bench, um_model_precompute(context, model, &tables));

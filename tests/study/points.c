@@ -138,7 +138,7 @@ static void test_taken_off(void **state)
   need(um_variant_accuracy_bias(context, &study->curves, &study->accuracy));
   double *value = malloc(2 * study->nvalue * sizeof *value), *own = value + study->nvalue;
   assert_non_null(value);
-  need(um_study_open(context, study, study->way, study->nway, parameter, &variant));
+  need(um_study_open(context, study, study->binding, study->nbinding, parameter, &variant));
   need(um_variant_values(context, &study->curves, NULL, &variant, own));
   known = study->accuracy.correction;
   for (int taken = 0; taken < 2; taken++) {
