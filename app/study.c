@@ -24,20 +24,20 @@ static void print_result(const struct um_study_result *r, const char *folder)
   printf("results in %s\n", folder);
 }
 
-/* What is learnt, where two points or more succeeded; fit NULL: no measurements. */
+/* Statistics, where two points or more succeeded; fit NULL: no measurements. */
 static enum um_status learn(struct um_context *context, struct um_study_result *result,
                             const struct um_study_measured *fit, struct um_core_folder *folder)
 {
   enum um_status status;
-  struct um_study_learnt *learnt = NULL;
-  UM_CHECK(um_study_learnt_create(context, result, NULL, &learnt));
-  UM_CHECK(um_study_report_write(context, result, learnt, folder));
+  struct um_study_statistics *statistics = NULL;
+  UM_CHECK(um_study_statistics_create(context, result, NULL, &statistics));
+  UM_CHECK(um_study_report_write(context, result, statistics, folder));
   if (fit != NULL) UM_CHECK(um_study_measured_write(context, result, fit, folder));
-  UM_CHECK(um_study_plot(context, result, learnt, fit != NULL ? fit->weight : NULL, folder));
-  UM_CHECK(um_study_report_print(context, result, learnt, stdout));
+  UM_CHECK(um_study_plot(context, result, statistics, fit != NULL ? fit->weight : NULL, folder));
+  UM_CHECK(um_study_report_print(context, result, statistics, stdout));
   if (fit != NULL) UM_CHECK(um_study_measured_print(context, result, fit, stdout));
 done:
-  um_study_learnt_destroy(context, &learnt);
+  um_study_statistics_destroy(context, &statistics);
   return status;
 }
 

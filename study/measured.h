@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "base/core/file.h"
-#include "study/learnt.h"
+#include "study/statistics.h"
 
 struct um_study_measured {
   size_t used, left_out; /* rows of the file */

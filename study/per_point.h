@@ -2,7 +2,7 @@
 #ifndef UMBRA_STUDY_PER_POINT_H
 #define UMBRA_STUDY_PER_POINT_H
 
-#include "study/learnt.h"
+#include "study/statistics.h"
 
 enum um_study_statistic {
   UM_STUDY_MEAN,    /* over the instants at which it has a value */

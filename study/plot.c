@@ -65,15 +65,15 @@ double um_study_axis_unit(const struct um_study_quantity *quantity, double large
 }
 
 enum um_status um_study_plot(struct um_context *context, const struct um_study_result *result,
-                             const struct um_study_learnt *learnt, const double *weight,
+                             const struct um_study_statistics *statistics, const double *weight,
                              struct um_core_folder *folder)
 {
   enum um_status status;
   struct um_plot *plot = NULL;
   UM_TRY(um_plot_create(context, um_core_folder_path(folder), "plots.gp", &plot));
-  um_study_plot_curves(plot, result, learnt);
+  um_study_plot_curves(plot, result, statistics);
   um_study_plot_limits(plot, result);
-  UM_CHECK(um_study_plot_surfaces(context, plot, result, learnt, folder));
+  UM_CHECK(um_study_plot_surfaces(context, plot, result, statistics, folder));
   UM_CHECK(um_study_plot_scatter(context, plot, result, weight, folder));
   if (weight != NULL) UM_CHECK(um_study_plot_posterior(context, plot, result, weight, folder));
   UM_CHECK(um_plot_draw(context, &plot));

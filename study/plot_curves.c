@@ -30,7 +30,8 @@ static size_t row_of(const struct um_study_result *r, size_t q)
   return row;
 }
 
-static double largest_of(const struct um_study_result *r, const struct um_study_learnt *l, size_t q)
+static double largest_of(const struct um_study_result *r, const struct um_study_statistics *l,
+                         size_t q)
 {
   double largest = 0.0;
   for (size_t k = 0; k < r->quantity[q].count; k++)
@@ -39,7 +40,7 @@ static double largest_of(const struct um_study_result *r, const struct um_study_
 }
 
 static void curve(struct um_plot *plot, const struct um_study_result *r,
-                  const struct um_study_learnt *l, size_t q, bool legend)
+                  const struct um_study_statistics *l, size_t q, bool legend)
 {
   const struct um_study_quantity *of = &r->quantity[q];
   bool magnitude = strcmp(of->unit, "mag") == 0;
@@ -75,7 +76,7 @@ static int legend_rows(const struct um_study_result *r)
 }
 
 /* Does anything vary a curve at any time? */
-static bool varies(const struct um_study_learnt *l, const struct um_study_quantity *of)
+static bool varies(const struct um_study_statistics *l, const struct um_study_quantity *of)
 {
   double quiet = um_study_quiet(l, of);
   for (size_t k = of->first; k < of->first + of->count; k++)
@@ -85,7 +86,7 @@ static bool varies(const struct um_study_learnt *l, const struct um_study_quanti
 
 /* Shares, one parameter on the other; what is left belongs to several at once. */
 static void shares(struct um_plot *plot, const struct um_study_result *r,
-                   const struct um_study_learnt *l, size_t q, bool legend)
+                   const struct um_study_statistics *l, size_t q, bool legend)
 {
   const struct um_study_quantity *of = &r->quantity[q];
   size_t first = row_of(r, q), last = first + of->count - 1;
@@ -122,7 +123,8 @@ static void shares(struct um_plot *plot, const struct um_study_result *r,
 }
 
 static void picture(struct um_plot *plot, const struct um_study_result *r,
-                    const struct um_study_learnt *l, const char *name, const size_t *q, size_t n)
+                    const struct um_study_statistics *l, const char *name, const size_t *q,
+                    size_t n)
 {
   char start[32], below[200];
   bool indices = l->first != NULL;
@@ -153,7 +155,7 @@ static void picture(struct um_plot *plot, const struct um_study_result *r,
 }
 
 void um_study_plot_curves(struct um_plot *plot, const struct um_study_result *result,
-                          const struct um_study_learnt *learnt)
+                          const struct um_study_statistics *statistics)
 {
   static const char *const name[3] = {"bands", "temperatures", "curves"};
   for (size_t kind = 0; kind < 3; kind++) {
@@ -169,7 +171,7 @@ void um_study_plot_curves(struct um_plot *plot, const struct um_study_result *re
       char file[40];
       snprintf(file, sizeof file, "%s", name[kind]);
       if (pictures > 0) snprintf(file, sizeof file, "%s_%zu", name[kind], pictures + 1);
-      picture(plot, result, learnt, file, q, n);
+      picture(plot, result, statistics, file, q, n);
       pictures++;
       n = 0;
     }

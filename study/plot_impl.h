@@ -24,7 +24,7 @@ double um_study_axis_unit(const struct um_study_quantity *quantity, double large
 
 /* Curves with their indices below, up to four quantities a picture. */
 void um_study_plot_curves(struct um_plot *plot, const struct um_study_result *result,
-                          const struct um_study_learnt *learnt);
+                          const struct um_study_statistics *statistics);
 
 /* Probabilities over time from limits.csv; nothing without limits. */
 void um_study_plot_limits(struct um_plot *plot, const struct um_study_result *result);
@@ -32,7 +32,7 @@ void um_study_plot_limits(struct um_plot *plot, const struct um_study_result *re
 /* Writes surface.csv, and pictures of it. */
 enum um_status um_study_plot_surfaces(struct um_context *context, struct um_plot *plot,
                                       const struct um_study_result *result,
-                                      const struct um_study_learnt *learnt,
+                                      const struct um_study_statistics *statistics,
                                       struct um_core_folder *folder);
 
 /* Writes scatter.csv, and pictures of it; weight NULL: none. */

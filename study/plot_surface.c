@@ -25,7 +25,7 @@ struct surface {
 };
 
 /* The two parameters with the largest shares, the first the larger; false: there are no two. */
-static bool rulers(const struct um_study_result *r, const struct um_study_learnt *l, size_t q,
+static bool rulers(const struct um_study_result *r, const struct um_study_statistics *l, size_t q,
                    size_t *x, size_t *y)
 {
   double best = -INFINITY, second = -INFINITY;
@@ -170,7 +170,7 @@ static void picture(struct um_plot *plot, const struct um_study_result *r, const
 }
 
 static enum um_status write(struct um_context *context, const struct um_study_result *r,
-                            const struct um_study_learnt *l, struct surface *s, size_t *n,
+                            const struct um_study_statistics *l, struct surface *s, size_t *n,
                             FILE *file)
 {
   size_t row = 1, x = 0, y = 0;
@@ -195,24 +195,24 @@ static enum um_status write(struct um_context *context, const struct um_study_re
 
 enum um_status um_study_plot_surfaces(struct um_context *context, struct um_plot *plot,
                                       const struct um_study_result *result,
-                                      const struct um_study_learnt *learnt,
+                                      const struct um_study_statistics *statistics,
                                       struct um_core_folder *folder)
 {
   enum um_status status;
   struct surface *s = NULL;
   size_t n = 0;
   FILE *file = NULL;
-  if (learnt->over_curve == NULL || result->nparameter < 2) return UM_OK;
+  if (statistics->over_curve == NULL || result->nparameter < 2) return UM_OK;
   UM_TRY(um_core_allocate(context, result->nquantity, sizeof *s, &s));
   UM_CHECK(um_core_folder_open(context, folder, "surface.csv", &file));
-  status = write(context, result, learnt, s, &n, file);
+  status = write(context, result, statistics, s, &n, file);
   enum um_status closed = um_core_file_close(context, "surface.csv", &file);
   if (status == UM_OK) status = closed;
   for (size_t i = 0; i < n && status == UM_OK; i++) {
     double largest = 0.0;
     size_t q = (size_t)(s[i].quantity - result->quantity);
     for (size_t k = 0; k < result->quantity[q].count; k++) {
-      double v = fabs(learnt->mean[result->quantity[q].first + k]);
+      double v = fabs(statistics->mean[result->quantity[q].first + k]);
       largest = fmax(largest, v);
     }
     picture(plot, result, &s[i], 0.5 * largest);

@@ -1,4 +1,5 @@
-/* Tables of what a study teaches. Numbers are written with the fewest digits that read back. */
+/* Tables of the statistics of a study. Numbers are written with the fewest digits that read back.
+ */
 #include "study/report.h"
 
 #include <math.h>
@@ -16,7 +17,7 @@ static bool is_curve(const struct um_study_result *r, const struct um_study_quan
 /* ---- summary.csv ---- */
 
 static enum um_status summary(struct um_context *context, const struct um_study_result *r,
-                              const struct um_study_learnt *l, FILE *file)
+                              const struct um_study_statistics *l, FILE *file)
 {
   fputs("quantity,statistic,unit,points,nominal,mean,standard_deviation,q05,q25,q50,q75,q95", file);
   for (size_t i = 0; i < r->nparameter; i++) {
@@ -50,7 +51,7 @@ static enum um_status summary(struct um_context *context, const struct um_study_
 
 /* ---- curves.csv, indices.csv ---- */
 
-static void curves(const struct um_study_result *r, const struct um_study_learnt *l, FILE *file)
+static void curves(const struct um_study_result *r, const struct um_study_statistics *l, FILE *file)
 {
   fputs("time_utc,quantity,unit,nominal,mean,standard_deviation,q05,q25,q50,q75,q95\n", file);
   for (size_t q = 0; q < r->nquantity; q++) {
@@ -73,7 +74,8 @@ static void curves(const struct um_study_result *r, const struct um_study_learnt
 }
 
 /* One row an instant, columns in fours for each parameter, so that a picture stacks them. */
-static void indices(const struct um_study_result *r, const struct um_study_learnt *l, FILE *file)
+static void indices(const struct um_study_result *r, const struct um_study_statistics *l,
+                    FILE *file)
 {
   static const char *const column[] = {"first", "first_error", "total", "correlation"};
   const double *const from[] = {l->first, l->first_error, l->total, l->correlation};
@@ -120,7 +122,7 @@ static void number(FILE *file, double value)
 }
 
 static enum um_status table(struct um_context *context, const struct um_study_result *r,
-                            const struct um_study_learnt *l, FILE *file)
+                            const struct um_study_statistics *l, FILE *file)
 {
   fputs("| quantity | unit | nominal | median | 5 % | 95 % |", file);
   for (size_t i = 0; i < r->nparameter; i++) {
@@ -180,22 +182,22 @@ static enum um_status end(struct um_context *context, const char *name, enum um_
 
 enum um_status um_study_report_write(struct um_context *context,
                                      const struct um_study_result *result,
-                                     const struct um_study_learnt *learnt,
+                                     const struct um_study_statistics *statistics,
                                      struct um_core_folder *folder)
 {
   FILE *file = NULL;
   UM_TRY(um_core_folder_open(context, folder, "summary.csv", &file));
-  UM_TRY(end(context, "summary.csv", summary(context, result, learnt, file), &file));
+  UM_TRY(end(context, "summary.csv", summary(context, result, statistics, file), &file));
   UM_TRY(um_core_folder_open(context, folder, "curves.csv", &file));
-  curves(result, learnt, file);
+  curves(result, statistics, file);
   UM_TRY(end(context, "curves.csv", UM_OK, &file));
   UM_TRY(um_core_folder_open(context, folder, "indices.csv", &file));
-  indices(result, learnt, file);
+  indices(result, statistics, file);
   UM_TRY(end(context, "indices.csv", UM_OK, &file));
   if (result->nlimit > 0) {
     UM_TRY(um_core_folder_open(context, folder, "limits.csv", &file));
     UM_TRY(end(context, "limits.csv", um_study_limits_write(context, result, file, NULL), &file));
   }
   UM_TRY(um_core_folder_open(context, folder, "table.md", &file));
-  return end(context, "table.md", table(context, result, learnt, file), &file);
+  return end(context, "table.md", table(context, result, statistics, file), &file);
 }

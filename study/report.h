@@ -1,11 +1,11 @@
-/* What a study teaches, as tables and on the terminal. */
+/* Statistics of a study, as tables and on the terminal. */
 #ifndef UMBRA_STUDY_REPORT_H
 #define UMBRA_STUDY_REPORT_H
 
 #include <stdio.h>
 
 #include "base/core/file.h"
-#include "study/learnt.h"
+#include "study/statistics.h"
 
 /* Into a folder that is being written: summary.csv (spread of every quantity over the points),
  * curves.csv (quantiles of the curves), indices.csv (indices over time), limits.csv (where there
@@ -13,7 +13,7 @@
  * UM_ERR_MEMORY. */
 enum um_status um_study_report_write(struct um_context *context,
                                      const struct um_study_result *result,
-                                     const struct um_study_learnt *learnt,
+                                     const struct um_study_statistics *statistics,
                                      struct um_core_folder *folder);
 
 /* The limits of a result as limits.csv and as lines for a person; either may be NULL.
@@ -25,6 +25,6 @@ enum um_status um_study_limits_write(struct um_context *context,
  * each curve. UM_ERR_MEMORY. */
 enum um_status um_study_report_print(struct um_context *context,
                                      const struct um_study_result *result,
-                                     const struct um_study_learnt *learnt, FILE *file);
+                                     const struct um_study_statistics *statistics, FILE *file);
 
 #endif

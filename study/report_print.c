@@ -8,7 +8,8 @@
 
 #define REASONS 3 /* that are shown of points that failed */
 
-static void failures(const struct um_study_result *r, const struct um_study_learnt *l, FILE *file)
+static void failures(const struct um_study_result *r, const struct um_study_statistics *l,
+                     FILE *file)
 {
   size_t shown = 0;
   for (size_t i = 0; i < r->npoint && shown < REASONS; i++) {
@@ -21,7 +22,7 @@ static void failures(const struct um_study_result *r, const struct um_study_lear
 }
 
 static enum um_status rows(struct um_context *context, const struct um_study_result *r,
-                           const struct um_study_learnt *l, FILE *file)
+                           const struct um_study_statistics *l, FILE *file)
 {
   size_t width = 8;
   for (size_t q = 0; q < r->nquantity; q++)
@@ -45,17 +46,17 @@ static enum um_status rows(struct um_context *context, const struct um_study_res
 
 enum um_status um_study_report_print(struct um_context *context,
                                      const struct um_study_result *result,
-                                     const struct um_study_learnt *learnt, FILE *file)
+                                     const struct um_study_statistics *statistics, FILE *file)
 {
-  failures(result, learnt, file);
+  failures(result, statistics, file);
   if (result->surrogate != NULL)
     fprintf(file, "surrogate of %zu points, %zu of them held out\n",
             um_uncertainty_surrogate_evaluations(result->surrogate),
             um_uncertainty_surrogate_held_out(result->surrogate));
-  UM_TRY(rows(context, result, learnt, file));
-  for (size_t q = 0; q < result->nquantity && learnt->first != NULL; q++) {
+  UM_TRY(rows(context, result, statistics, file));
+  for (size_t q = 0; q < result->nquantity && statistics->first != NULL; q++) {
     char *sentence = NULL;
-    UM_TRY(um_study_sentence(context, result, learnt, &result->quantity[q], &sentence));
+    UM_TRY(um_study_sentence(context, result, statistics, &result->quantity[q], &sentence));
     fprintf(file, "  %s\n", sentence);
     um_core_free(context, sentence);
   }

@@ -10,8 +10,8 @@
 #define SHORT  0.01 /* of the whole */
 #define LISTED 3    /* stretches of a parameter that a sentence lists */
 
-static size_t ruler(const struct um_study_result *r, const struct um_study_learnt *l, size_t value,
-                    double quiet)
+static size_t ruler(const struct um_study_result *r, const struct um_study_statistics *l,
+                    size_t value, double quiet)
 {
   size_t best = UM_STUDY_RULED_BY_NONE;
   if (!(l->deviation[value] > quiet)) return best;
@@ -47,17 +47,17 @@ static size_t join(struct um_study_stretch *s, size_t n, double shortest)
 }
 
 enum um_status um_study_stretches(struct um_context *context, const struct um_study_result *result,
-                                  const struct um_study_learnt *learnt,
+                                  const struct um_study_statistics *statistics,
                                   const struct um_study_quantity *quantity,
                                   struct um_study_stretch **out, size_t *n)
 {
   const struct um_study_result *r = result;
-  double quiet = um_study_quiet(learnt, quantity);
+  double quiet = um_study_quiet(statistics, quantity);
   *n = 0;
   UM_TRY(um_core_allocate(context, quantity->count, sizeof **out, out));
   for (size_t k = 0; k < quantity->count; k++) {
-    size_t value = quantity->first + k, by = ruler(r, learnt, value, quiet);
-    double share = by == UM_STUDY_RULED_BY_NONE ? 0.0 : learnt->first[by * r->nvalue + value];
+    size_t value = quantity->first + k, by = ruler(r, statistics, value, quiet);
+    double share = by == UM_STUDY_RULED_BY_NONE ? 0.0 : statistics->first[by * r->nvalue + value];
     (*out)[(*n)++] = (struct um_study_stretch){
         .from = edge(r, k), .to = edge(r, k + 1), .parameter = by, .share = share};
   }
@@ -125,7 +125,7 @@ static void say_stretches(struct um_context *context, const struct um_study_resu
 }
 
 static void say_value(struct um_context *context, const struct um_study_result *r,
-                      const struct um_study_learnt *l, size_t value, struct text *t)
+                      const struct um_study_statistics *l, size_t value, struct text *t)
 {
   bool any = false;
   for (size_t i = 0; i < r->nparameter; i++) {
@@ -141,7 +141,7 @@ static void say_value(struct um_context *context, const struct um_study_result *
 }
 
 enum um_status um_study_sentence(struct um_context *context, const struct um_study_result *result,
-                                 const struct um_study_learnt *learnt,
+                                 const struct um_study_statistics *statistics,
                                  const struct um_study_quantity *quantity, char **out)
 {
   struct um_study_stretch *s = NULL;
@@ -149,12 +149,12 @@ enum um_status um_study_sentence(struct um_context *context, const struct um_stu
   struct text t = {.status = UM_OK}, all = {.status = UM_OK};
   *out = NULL;
   bool curve = quantity->count == result->ntime && result->ntime > 1;
-  if (learnt->first == NULL) {
-    say(context, &t, "%s", um_study_indices_words(learnt->indices));
+  if (statistics->first == NULL) {
+    say(context, &t, "%s", um_study_indices_words(statistics->indices));
   } else if (!curve) {
-    say_value(context, result, learnt, quantity->first, &t);
+    say_value(context, result, statistics, quantity->first, &t);
   } else {
-    t.status = um_study_stretches(context, result, learnt, quantity, &s, &n);
+    t.status = um_study_stretches(context, result, statistics, quantity, &s, &n);
     for (size_t i = 0; i < result->nparameter; i++) say_stretches(context, result, s, n, i, &t);
     say_stretches(context, result, s, n, UM_STUDY_RULED_BY_NONE, &t);
   }

@@ -2,7 +2,7 @@
 #ifndef UMBRA_STUDY_RULE_H
 #define UMBRA_STUDY_RULE_H
 
-#include "study/learnt.h"
+#include "study/statistics.h"
 
 #define UM_STUDY_RULED_BY_NONE ((size_t)-1)
 
@@ -18,14 +18,14 @@ struct um_study_stretch {
  * does not vary where its standard deviation is below a thousandth of the curve's largest.
  * Stretches shorter than a hundredth of the whole join the one before. UM_ERR_MEMORY. */
 enum um_status um_study_stretches(struct um_context *context, const struct um_study_result *result,
-                                  const struct um_study_learnt *learnt,
+                                  const struct um_study_statistics *statistics,
                                   const struct um_study_quantity *quantity,
                                   struct um_study_stretch **out, size_t *n);
 
 /* One sentence of a curve, "lwir: power_W of bus rules 8.2 of 10.4 minutes (0 to 5.1, 7.3 to 10.4),
  * .." or of a single value. The caller frees. UM_ERR_MEMORY. */
 enum um_status um_study_sentence(struct um_context *context, const struct um_study_result *result,
-                                 const struct um_study_learnt *learnt,
+                                 const struct um_study_statistics *statistics,
                                  const struct um_study_quantity *quantity, char **out);
 
 #endif

@@ -109,7 +109,7 @@ static enum um_status prepare(struct um_context *context, const char *path, stru
     UM_TRY(um_study_identity_check(context, study->identity, study->options.batch.folder));
   UM_TRY(find_bindings(context, study));
   UM_TRY(make_nominal(context, study));
-  return um_study_share(context, study);
+  return um_study_dependencies_find(context, study);
 }
 
 enum um_status um_study_create(struct um_context *context, const char *path,

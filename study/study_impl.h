@@ -80,9 +80,9 @@ enum um_status um_study_points(struct um_context *context, const struct um_study
                                double **parameter, size_t *n);
 /* Rows of u of a Saltelli or Morris design; 0 of others. */
 size_t um_study_base(const struct um_study *study);
-/* --- share.c --- */
+/* --- dependencies.c --- */
 /* What every parameter wants computed anew; it is tried at both ends. */
-enum um_status um_study_share(struct um_context *context, struct um_study *study);
+enum um_status um_study_dependencies_find(struct um_context *context, struct um_study *study);
 /* --- tolerance.c --- */
 /* The loosest tolerances that keep the asked error, held against a run with the scenario's own. */
 enum um_status um_study_tolerance(struct um_context *context, struct um_study *study);

@@ -5,7 +5,7 @@
 
 #include "variant/tolerance_impl.h"
 
-/* Of the bias that is taken off a variant, left elsewhere than where it is measured. */
+/* Of the bias that is corrected in a variant, left elsewhere than where it is measured. */
 #define SHARE_LEFT 0.2
 
 void um_variant_accuracy_release(struct um_context *context, struct um_variant_accuracy *accuracy)

@@ -1,6 +1,6 @@
-/* What tolerances do to the curves of a scenario, measured, and taken off its variants. Errors of
- * an integration have one sign: what loose tolerances do to a variant they do to the scenario as it
- * stands, nearly. So
+/* The bias that tolerances give the curves of a scenario, measured, and its correction in variants.
+ * Errors of an integration have one sign: what loose tolerances do to a variant they do to the
+ * scenario as it stands, nearly. So
  *
  *   y = y_loose + (y_0 - y_0,loose) of temperatures and magnitudes, y_loose y_0/y_0,loose of light.
  */
@@ -41,7 +41,7 @@ void um_variant_accuracy_release(struct um_context *context, struct um_variant_a
 /* Largest differences [ncurve] of two variants' values, relative to b's where a curve is. */
 void um_variant_differences(const struct um_variant_curves *curves, const double *a,
                             const double *b, double *largest);
-/* Values of an open variant with the tolerance; the bias is taken off where the geometry is the
+/* Values of an open variant with the tolerance; the bias is corrected where the geometry is the
  * scenario's. accuracy NULL: with the scenario's own, solved though some heat is at hand. Errors of
  * um_variant_find_heat, um_variant_observe and take. */
 enum um_status um_variant_values(struct um_context *context, const struct um_variant_curves *curves,

@@ -200,13 +200,14 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
 enum um_status um_model_thermal_solution_lead(struct um_context *context,
                                               struct um_model_thermal_solution *heat)
 {
-  if (heat->rest != NULL || heat->tables->points || !um_model_thermal_predicts(heat)) return UM_OK;
+  if (heat->residual != NULL || heat->tables->points || !um_model_thermal_can_extrapolate(heat))
+    return UM_OK;
   UM_TRY(um_core_allocate(context, um_thermal_network_nodes(heat->model->body->network),
-                          sizeof *heat->rest, &heat->rest));
-  enum um_status status = um_model_thermal_rest(context, heat, heat->rest);
+                          sizeof *heat->residual, &heat->residual));
+  enum um_status status = um_model_thermal_residual(context, heat, heat->residual);
   if (status == UM_OK) return UM_OK;
-  um_core_free(context, heat->rest);
-  heat->rest = NULL;
+  um_core_free(context, heat->residual);
+  heat->residual = NULL;
   if (status != UM_ERR_NUMERIC) return status;
   um_core_message_clear(context); /* no such balance, as each would find */
   return UM_OK;
@@ -225,7 +226,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
 {
   if (heat == NULL || *heat == NULL) return;
   um_thermal_history_destroy(context, &(*heat)->run.history);
-  UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->rest);
+  UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->residual);
   um_model_heat_setting_clear(context, &(*heat)->setting);
   um_core_free(context, *heat);
   *heat = NULL;

@@ -20,9 +20,9 @@ struct um_model_thermal_solution {
   const struct um_model *model;         /* borrowed */
   const struct um_model_tables *tables; /* borrowed */
   struct um_model_heat_setting setting;
-  double *start; /* [nnode] start temperatures [K] */
-  double *mean;  /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
-  double *rest;  /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
+  double *start;    /* [nnode] start temperatures [K] */
+  double *mean;     /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
+  double *residual; /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
   double periodic_distance; /* what the periodic start left [K]; NaN when isothermal */
   struct um_model_heat_run run;
 };
@@ -36,11 +36,12 @@ enum um_status um_model_thermal_start(struct um_context *context,
                                       const struct um_model_thermal_solution *warm,
                                       double periodic_tolerance,
                                       struct um_model_thermal_solution *heat);
-/* Is the periodic state one of a mean balance, by which its neighbours are predicted? */
-bool um_model_thermal_predicts(const struct um_model_thermal_solution *heat);
-/* rest[nnode] of it. Errors of um_thermal_orbit_mean_rest. */
-enum um_status um_model_thermal_rest(struct um_context *context,
-                                     const struct um_model_thermal_solution *heat, double *rest);
+/* Is the periodic state one of a mean balance, by which its neighbours are extrapolated? */
+bool um_model_thermal_can_extrapolate(const struct um_model_thermal_solution *heat);
+/* residual[nnode] of it. Errors of um_thermal_orbit_mean_residual. */
+enum um_status um_model_thermal_residual(struct um_context *context,
+                                         const struct um_model_thermal_solution *heat,
+                                         double *residual);
 /* Temperatures of the surfaces at every instant, as the optics want them, from the history. */
 enum um_status um_model_heat_run_surfaces(struct um_context *context,
                                           struct um_model_thermal_solution *heat);

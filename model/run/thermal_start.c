@@ -80,42 +80,43 @@ static enum um_status settle_stated(struct um_context *context,
                                      &heat->setting, &change);
 }
 
-bool um_model_thermal_predicts(const struct um_model_thermal_solution *heat)
+bool um_model_thermal_can_extrapolate(const struct um_model_thermal_solution *heat)
 {
   return heat->model->scenario->thermal->start == UM_START_PERIODIC &&
          !isnan(heat->tables->period) &&
          um_thermal_network_thermostats(heat->model->body->network) == 0;
 }
 
-enum um_status um_model_thermal_rest(struct um_context *context,
-                                     const struct um_model_thermal_solution *heat, double *rest)
+enum um_status um_model_thermal_residual(struct um_context *context,
+                                         const struct um_model_thermal_solution *heat,
+                                         double *residual)
 {
   const struct um_model_tables *tables = heat->tables;
-  return um_thermal_orbit_mean_rest(context, heat->model->body->network, tables->loads,
-                                    &heat->setting.options, tables->t_start, tables->period,
-                                    heat->mean, rest);
+  return um_thermal_orbit_mean_residual(context, heat->model->body->network, tables->loads,
+                                        &heat->setting.options, tables->t_start, tables->period,
+                                        heat->mean, residual);
 }
 
 /* heat->mean and start of a model next to that of `warm`, moved as their mean balances differ; the
  * exchange at the temperatures of that. */
-static enum um_status predict(struct um_context *context,
-                              const struct um_model_thermal_solution *warm,
-                              struct um_model_thermal_solution *heat)
+static enum um_status extrapolate(struct um_context *context,
+                                  const struct um_model_thermal_solution *warm,
+                                  struct um_model_thermal_solution *heat)
 {
   enum um_status status = UM_OK;
   const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double *found = NULL, change = INFINITY;
-  if (warm->rest == NULL) {
+  if (warm->residual == NULL) {
     UM_TRY(um_core_allocate(context, n, sizeof *found, &found));
-    UM_CHECK(um_model_thermal_rest(context, warm, found));
+    UM_CHECK(um_model_thermal_residual(context, warm, found));
   }
-  const double *rest = warm->rest != NULL ? warm->rest : found;
+  const double *residual = warm->residual != NULL ? warm->residual : found;
   memcpy(heat->mean, warm->mean, n * sizeof *heat->mean);
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_orbit_mean_solve(context, network, tables->loads, &heat->setting.options,
-                                         tables->t_start, tables->period, rest, heat->mean));
+                                         tables->t_start, tables->period, residual, heat->mean));
     UM_CHECK(um_model_heat_setting_renew(context, heat->model, tables, heat->mean,
                                          UM_MODEL_SAME_EMITTANCE, round, &heat->setting, &change));
   }
@@ -180,8 +181,9 @@ enum um_status um_model_thermal_start(struct um_context *context,
       heat->start[i] = warm->start[i];
   UM_TRY(um_core_allocate(context, n, sizeof *built, &built));
   memcpy(built, heat->start, n * sizeof *built);
-  if (warm != NULL && um_model_thermal_predicts(warm) && um_model_thermal_predicts(heat)) {
-    status = predict(context, warm, heat);
+  if (warm != NULL && um_model_thermal_can_extrapolate(warm) &&
+      um_model_thermal_can_extrapolate(heat)) {
+    status = extrapolate(context, warm, heat);
     if (status == UM_ERR_NUMERIC) { /* no such balance: from where the other stands */
       um_core_message_clear(context);
       memcpy(heat->start, built, n * sizeof *built);

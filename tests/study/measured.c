@@ -75,12 +75,12 @@ static void test_posterior(void **state)
   const struct um_study_quantity *rms = um_study_result_quantity(r, "rms:irradiance:lwir");
   assert_non_null(rms);
   assert_close(um_study_result_values(r, m->best, rms)[0], 2e-12, 0.6e-12);
-  /* what is learnt afterwards copes with values that the surrogate has not */
-  struct um_study_learnt *l;
-  assert_int_equal(um_study_learnt_create(context, r, NULL, &l), UM_OK);
+  /* statistics cope with values that the surrogate has not */
+  struct um_study_statistics *l;
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
   assert_true(isnan(l->first[rms->first]) && isfinite(l->correlation[rms->first]));
   assert_close(l->first[PASS_NTIME + 20], 0.93, 0.05);
-  um_study_learnt_destroy(context, &l);
+  um_study_statistics_destroy(context, &l);
   assert_int_equal(um_study_measured_print(context, r, m, stdout), UM_OK);
   um_study_measured_destroy(context, &m);
   um_study_result_destroy(context, &r);

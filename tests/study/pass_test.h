@@ -1,4 +1,4 @@
-/* For tests of what is learnt from a study: a pass of a plate in closed form. Until the shadow's
+/* For tests of the statistics of a study: a pass of a plate in closed form. Until the shadow's
  * edge its light hangs on the emittance of its cells, behind it, where they are as cold as the bus
  * behind them, on the heat inside; visible light hangs on neither but on the cells alone. */
 #ifndef UMBRA_TESTS_STUDY_PASS_TEST_H

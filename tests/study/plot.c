@@ -41,16 +41,16 @@ static void clear(const char *folder)
 static void draw(struct um_study_result *r, const double *weight, char base[UM_TEST_PATH],
                  char *path, size_t size)
 {
-  struct um_study_learnt *l;
+  struct um_study_statistics *l;
   struct um_core_folder *folder;
   assert_int_equal(um_test_folder_create(base), 0);
   snprintf(path, size, "%s/out", base);
-  assert_int_equal(um_study_learnt_create(context, r, weight, &l), UM_OK);
+  assert_int_equal(um_study_statistics_create(context, r, weight, &l), UM_OK);
   assert_int_equal(um_core_folder_begin(context, path, false, &folder), UM_OK);
   assert_int_equal(um_study_report_write(context, r, l, folder), UM_OK);
   assert_int_equal(um_study_plot(context, r, l, weight, folder), UM_OK);
   assert_int_equal(um_core_folder_commit(context, &folder), UM_OK);
-  um_study_learnt_destroy(context, &l);
+  um_study_statistics_destroy(context, &l);
 }
 
 static void done(const char *base, const char *path)

@@ -120,10 +120,10 @@ static void test_exact(void **state)
   world_clear(context);
 }
 
-/* Loose tolerances warm or cool every point alike: what they do to the scenario is taken off, and a
+/* Loose tolerances warm or cool every point alike: what they do to the scenario is corrected, and a
  * point of a thousandfold tolerances is twice as near to its own light and temperatures or nearer.
  */
-static void test_taken_off(void **state)
+static void test_bias_correction(void **state)
 {
   (void)state;
   struct um_study *study = NULL;
@@ -147,7 +147,7 @@ static void test_taken_off(void **state)
     um_variant_differences(&study->curves, value, own, off[taken]);
   }
   for (size_t q = 1; q < 4; q++) {
-    print_message("loose: %.3g off, %.3g taken off, %.3g left\n", off[0][q],
+    print_message("loose: %.3g off, %.3g corrected, %.3g left\n", off[0][q],
                   study->accuracy.bias[q], off[1][q]);
     assert_true(study->accuracy.bias[q] > 0.0 && off[1][q] < 0.5 * off[0][q]);
   }
@@ -198,8 +198,8 @@ static void test_surrogate(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_exact), cmocka_unit_test(test_taken_off),
-                                     cmocka_unit_test(test_any_process),
-                                     cmocka_unit_test(test_surrogate)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_exact), cmocka_unit_test(test_bias_correction),
+      cmocka_unit_test(test_any_process), cmocka_unit_test(test_surrogate)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

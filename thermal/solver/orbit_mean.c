@@ -2,12 +2,12 @@
  * mean of every node's balance is 0. With M_i^4 the mean of T_i^4 of node i and loads <Q_i>,
  *
  *   P_i + <Q_i> + sum_j K_ij (M_j - M_i) + sum_j s R_ij (M_j^4 - M_i^4)
- *       - s R_i,space (M_i^4 - T_space^4) = rest_i,
+ *       - s R_i,space (M_i^4 - T_space^4) = residual_i,
  *
- * where rest_i, small, is what temperatures do within the orbit: the mean that radiates is above
- * the one that conducts. The rest of a model whose M is known serves its neighbours, whose orbits
- * swing alike: their M follows from a steady balance, a thousandth of an orbit's integration, and
- * with it where slow nodes start. What fast nodes do is not asked here. */
+ * where residual_i, small, is what temperatures do within the orbit: the mean that radiates is
+ * above the one that conducts. The residual of a model whose M is known serves its neighbours,
+ * whose orbits vary alike: their M follows from a steady balance, a thousandth of an orbit's
+ * integration, and with it where slow nodes start. What fast nodes do is not asked here. */
 #include <string.h>
 
 #include "thermal/solver/solve.h"
@@ -16,7 +16,7 @@
 #define ROWS 512 /* of the loads that a mean is made of, at most */
 
 /* Means over the orbit into what holds at the system's time 0. Mechanisms stand as they do at the
- * start: what they change otherwise is in the rest. */
+ * start: what they change otherwise is in the residual. */
 static enum um_status loads_hold(struct um_thermal_system *system, double period)
 {
   struct um_context *context = system->context;
@@ -76,12 +76,12 @@ static enum um_status system_make(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_thermal_orbit_mean_rest(struct um_context *context,
-                                          const struct um_thermal_network *network,
-                                          const struct um_irradiation_loads *loads,
-                                          const struct um_thermal_solve_options *options,
-                                          double from, double period, const double *mean,
-                                          double *rest)
+enum um_status um_thermal_orbit_mean_residual(struct um_context *context,
+                                              const struct um_thermal_network *network,
+                                              const struct um_irradiation_loads *loads,
+                                              const struct um_thermal_solve_options *options,
+                                              double from, double period, const double *mean,
+                                              double *residual)
 {
   enum um_status status;
   struct um_thermal_system *system = NULL;
@@ -92,8 +92,8 @@ enum um_status um_thermal_orbit_mean_rest(struct um_context *context,
   for (size_t k = 0; k < system->nunknown; k++) y[k] = mean[system->node[k]];
   um_thermal_system_state_set(system, 0.0, y); /* of a steady system no node is eliminated */
   um_thermal_system_rate(system, rate);
-  memset(rest, 0, system->n * sizeof *rest);
-  for (size_t k = 0; k < system->nunknown; k++) rest[system->node[k]] = rate[k];
+  memset(residual, 0, system->n * sizeof *residual);
+  for (size_t k = 0; k < system->nunknown; k++) residual[system->node[k]] = rate[k];
 done:
   um_core_free(context, y);
   um_thermal_system_destroy(&system);
@@ -104,12 +104,12 @@ enum um_status um_thermal_orbit_mean_solve(struct um_context *context,
                                            const struct um_thermal_network *network,
                                            const struct um_irradiation_loads *loads,
                                            const struct um_thermal_solve_options *options,
-                                           double from, double period, const double *rest,
+                                           double from, double period, const double *residual,
                                            double *mean)
 {
   struct um_thermal_system *system = NULL;
   UM_TRY(system_make(context, network, loads, options, from, period, mean, &system));
-  enum um_status status = um_thermal_steady_solve(system, rest, mean);
+  enum um_status status = um_thermal_steady_solve(system, residual, mean);
   um_thermal_system_destroy(&system);
   return status;
 }

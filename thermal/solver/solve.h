@@ -68,23 +68,23 @@ enum um_status um_thermal_solve_periodic_report(
     const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
     const double *start, double from, double period, double tolerance, double *temperature,
     double *drift, double *mean, struct um_thermal_periodic *report);
-/* Where a periodic state moves to when the model moves (orbit_mean.c). rest[nnode]: heat that the
- * orbit's mean balance leaves at mean[nnode], 0 but for what temperatures do within the orbit [W];
- * mean: of the fourth power, as reported above [K]. Then, of a model next to that one, the mean
- * temperatures at which its mean balance leaves the same: mean, in: those of the first; out. Loads
- * as for the periodic state; no thermostats, whose mean power a rest does not know. Errors of
- * um_thermal_solve_steady. */
-enum um_status um_thermal_orbit_mean_rest(struct um_context *context,
-                                          const struct um_thermal_network *network,
-                                          const struct um_irradiation_loads *loads,
-                                          const struct um_thermal_solve_options *options,
-                                          double from, double period, const double *mean,
-                                          double *rest);
+/* Where a periodic state moves to when the model moves (orbit_mean.c). residual[nnode]: heat that
+ * the orbit's mean balance leaves at mean[nnode], 0 but for what temperatures do within the orbit
+ * [W]; mean: of the fourth power, as reported above [K]. Then, of a model next to that one, the
+ * mean temperatures at which its mean balance leaves the same: mean, in: those of the first; out.
+ * Loads as for the periodic state; no thermostats, whose mean power a residual does not know.
+ * Errors of um_thermal_solve_steady. */
+enum um_status um_thermal_orbit_mean_residual(struct um_context *context,
+                                              const struct um_thermal_network *network,
+                                              const struct um_irradiation_loads *loads,
+                                              const struct um_thermal_solve_options *options,
+                                              double from, double period, const double *mean,
+                                              double *residual);
 enum um_status um_thermal_orbit_mean_solve(struct um_context *context,
                                            const struct um_thermal_network *network,
                                            const struct um_irradiation_loads *loads,
                                            const struct um_thermal_solve_options *options,
-                                           double from, double period, const double *rest,
+                                           double from, double period, const double *residual,
                                            double *mean);
 /* Steady state of the network under constant loads (row `time` of loads), thermostats by their mean
  * power; KINSOL Newton from the start temperatures. */

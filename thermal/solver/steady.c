@@ -25,7 +25,7 @@
 
 struct steady {
   struct um_thermal_system *system; /* borrowed */
-  const double *rest;               /* [n] heat that the balance leaves [W], borrowed; NULL: 0 */
+  const double *residual;           /* [n] heat that the balance leaves [W], borrowed; NULL: 0 */
   SUNContext sun;
   N_Vector y, y_scale, f_scale;
   SUNMatrix matrix;
@@ -51,8 +51,8 @@ static int heat_callback(N_Vector y, N_Vector heat, void *self)
   if (!um_thermal_system_state_set(system, 0.0, N_VGetArrayPointer(y))) return 1;
   double *left = N_VGetArrayPointer(heat);
   um_thermal_system_rate(system, left);
-  for (size_t k = 0; k < system->nunknown && steady->rest != NULL; k++)
-    left[k] -= steady->rest[system->node[k]];
+  for (size_t k = 0; k < system->nunknown && steady->residual != NULL; k++)
+    left[k] -= steady->residual[system->node[k]];
   return 0;
 }
 
@@ -188,11 +188,11 @@ static enum um_status above_zero(const struct um_thermal_system *system)
   return UM_OK;
 }
 
-enum um_status um_thermal_steady_solve(struct um_thermal_system *system, const double *rest,
+enum um_status um_thermal_steady_solve(struct um_thermal_system *system, const double *residual,
                                        double *temperature)
 {
   enum um_status status;
-  struct steady steady = {.system = system, .rest = rest};
+  struct steady steady = {.system = system, .residual = residual};
   UM_CHECK(vectors_create(&steady));
   UM_CHECK(start_set(&steady));
   UM_CHECK(kinsol_run(&steady));

@@ -59,15 +59,16 @@ static void test_moves(void **state)
   struct um_thermal_network *base = moved(AS_IT_IS, &interior);
   struct um_irradiation_loads *loads = box_loads(CELLS, 121, PERIOD, 3.0);
   size_t n = base->nnode;
-  double *work = calloc(5 * n, sizeof *work), *start = work, *mean = work + n, *rest = work + 2 * n,
-         *found = work + 3 * n, *expected = work + 4 * n;
+  double *work = calloc(5 * n, sizeof *work), *start = work, *mean = work + n,
+         *residual = work + 2 * n, *found = work + 3 * n, *expected = work + 4 * n;
   assert_non_null(work);
   mean_find(base, loads, &options, start, mean);
-  OK(um_thermal_orbit_mean_rest(help_context, base, loads, &options, 0.0, PERIOD, mean, rest));
+  OK(um_thermal_orbit_mean_residual(help_context, base, loads, &options, 0.0, PERIOD, mean,
+                                    residual));
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
     struct um_thermal_network *network = moved(all[k].move, &interior);
     memcpy(found, mean, n * sizeof *found);
-    OK(um_thermal_orbit_mean_solve(help_context, network, loads, &options, 0.0, PERIOD, rest,
+    OK(um_thermal_orbit_mean_solve(help_context, network, loads, &options, 0.0, PERIOD, residual,
                                    found));
     mean_find(network, loads, &options, start, expected);
     double way = expected[interior] - mean[interior], off = found[interior] - expected[interior];

@@ -1,5 +1,5 @@
-/* What a study teaches, from its points and, where there is one, its surrogate. */
-#include "study/learnt.h"
+/* Statistics of a study, from its points and, where there is one, its surrogate. */
+#include "study/statistics.h"
 
 #include <math.h>
 
@@ -24,7 +24,7 @@ static enum um_status reserve(struct um_context *context, const struct um_study_
 /* The surrogate's values are the first of the result's; metrics that came later have no indices,
  * nor has what the surrogate was not asked to get right. */
 static enum um_status from_surrogate(struct um_context *context, const struct um_study_result *r,
-                                     struct um_study_learnt *l)
+                                     struct um_study_statistics *l)
 {
   enum um_status status;
   double *index = NULL;
@@ -48,7 +48,7 @@ done:
 }
 
 static enum um_status from_saltelli(struct um_context *context, const struct um_study_result *r,
-                                    struct um_study_learnt *l)
+                                    struct um_study_statistics *l)
 {
   l->indices = UM_STUDY_INDICES_SAMPLED;
   UM_TRY(reserve(context, r, &l->first));
@@ -76,7 +76,7 @@ static void shares(const struct um_study_result *r, const double *from, double *
 }
 
 static enum um_status from_morris(struct um_context *context, const struct um_study_result *r,
-                                  struct um_study_learnt *l)
+                                  struct um_study_statistics *l)
 {
   l->indices = UM_STUDY_INDICES_MORRIS;
   UM_TRY(reserve(context, r, &l->first));
@@ -90,7 +90,7 @@ static enum um_status from_morris(struct um_context *context, const struct um_st
 }
 
 static enum um_status from_ranks(struct um_context *context, const struct um_study_result *r,
-                                 struct um_study_learnt *l)
+                                 struct um_study_statistics *l)
 {
   l->indices = l->ndone < RANKS_LEAST ? UM_STUDY_INDICES_NONE : UM_STUDY_INDICES_RANKS;
   if (l->indices == UM_STUDY_INDICES_NONE) return UM_OK;
@@ -100,7 +100,7 @@ static enum um_status from_ranks(struct um_context *context, const struct um_stu
   return UM_OK;
 }
 
-static void over_curves(const struct um_study_result *r, struct um_study_learnt *l)
+static void over_curves(const struct um_study_result *r, struct um_study_statistics *l)
 {
   for (size_t i = 0; i < r->nparameter; i++)
     for (size_t q = 0; q < r->nquantity; q++) {
@@ -117,7 +117,7 @@ static void over_curves(const struct um_study_result *r, struct um_study_learnt 
 }
 
 static enum um_status fill(struct um_context *context, const struct um_study_result *r,
-                           const double *weight, struct um_study_learnt *l)
+                           const double *weight, struct um_study_statistics *l)
 {
   for (size_t i = 0; i < r->npoint; i++) l->ndone += r->reason[i] == NULL;
   if (l->ndone < 2)
@@ -147,39 +147,40 @@ static enum um_status fill(struct um_context *context, const struct um_study_res
   return UM_OK;
 }
 
-enum um_status um_study_learnt_create(struct um_context *context,
-                                      const struct um_study_result *result, const double *weight,
-                                      struct um_study_learnt **out)
+enum um_status um_study_statistics_create(struct um_context *context,
+                                          const struct um_study_result *result,
+                                          const double *weight, struct um_study_statistics **out)
 {
-  struct um_study_learnt *learnt = NULL;
+  struct um_study_statistics *statistics = NULL;
   *out = NULL;
-  UM_TRY(um_core_allocate(context, 1, sizeof *learnt, &learnt));
-  enum um_status status = fill(context, result, weight, learnt);
+  UM_TRY(um_core_allocate(context, 1, sizeof *statistics, &statistics));
+  enum um_status status = fill(context, result, weight, statistics);
   if (status == UM_OK)
-    *out = learnt;
+    *out = statistics;
   else
-    um_study_learnt_destroy(context, &learnt);
+    um_study_statistics_destroy(context, &statistics);
   return status;
 }
 
-void um_study_learnt_destroy(struct um_context *context, struct um_study_learnt **learnt)
+void um_study_statistics_destroy(struct um_context *context,
+                                 struct um_study_statistics **statistics)
 {
-  if (learnt == NULL || *learnt == NULL) return;
-  struct um_study_learnt *l = *learnt;
+  if (statistics == NULL || *statistics == NULL) return;
+  struct um_study_statistics *l = *statistics;
   double *all[] = {l->quantile, l->mean,        l->deviation, l->first,        l->first_error,
                    l->total,    l->correlation, l->effect,    l->effect_sigma, l->over_curve};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) um_core_free(context, all[i]);
   um_core_free(context, l);
-  *learnt = NULL;
+  *statistics = NULL;
 }
 
-double um_study_quiet(const struct um_study_learnt *learnt,
+double um_study_quiet(const struct um_study_statistics *statistics,
                       const struct um_study_quantity *quantity)
 {
   double deviation = 0.0, value = 0.0;
   for (size_t k = quantity->first; k < quantity->first + quantity->count; k++) {
-    deviation = fmax(deviation, learnt->deviation[k]); /* the number where one is NaN */
-    value = fmax(value, fabs(learnt->mean[k]));
+    deviation = fmax(deviation, statistics->deviation[k]); /* the number where one is NaN */
+    value = fmax(value, fabs(statistics->mean[k]));
   }
   return fmax(QUIET * deviation, ROUNDING * value);
 }

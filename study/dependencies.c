@@ -1,5 +1,5 @@
-/* What points of a study share: every parameter is tried at both ends of its range, and what is
- * built from it is compared, number for number. */
+/* Which stages of a run depend on which parameter: each is tried at both ends of its range, and
+ * what is built from it is compared, number for number. */
 #include <string.h>
 
 #include "study/study_impl.h"
@@ -7,7 +7,7 @@
 /* The scenario with one parameter at one end, and what of its own holds there. */
 struct end {
   struct um_variant variant;
-  bool geometry, heat; /* compatible: geometry; heat, where the geometry is the same */
+  bool geometry, heat; /* compatible; heat: where the geometry is */
 };
 
 static enum um_status try_end(struct um_context *context, const struct um_study *study, size_t i,
@@ -51,7 +51,7 @@ done:
   return status;
 }
 
-enum um_status um_study_share(struct um_context *context, struct um_study *study)
+enum um_status um_study_dependencies_find(struct um_context *context, struct um_study *study)
 {
   UM_TRY(um_core_allocate(context, study->nbinding, sizeof *study->moves_geometry,
                           &study->moves_geometry));

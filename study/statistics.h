@@ -1,6 +1,6 @@
-/* What a study teaches: how far each value is spread, and which parameter spreads it. */
-#ifndef UMBRA_STUDY_LEARNT_H
-#define UMBRA_STUDY_LEARNT_H
+/* Statistics of a study: how far each value is spread, and which parameter spreads it. */
+#ifndef UMBRA_STUDY_STATISTICS_H
+#define UMBRA_STUDY_STATISTICS_H
 
 #include "study/result.h"
 
@@ -16,7 +16,7 @@ enum um_study_indices {
   UM_STUDY_INDICES_RANKS /* squares of rank correlations: of designs that are made for neither */
 };
 
-struct um_study_learnt {
+struct um_study_statistics {
   size_t ndone; /* points that did not fail */
   enum um_study_indices indices;
   double *quantile;         /* [UM_STUDY_QUANTILES][nvalue] */
@@ -34,15 +34,16 @@ struct um_study_learnt {
 
 /* weight [npoint] of the points (of measurements), or NULL; indices do not know it. UM_ERR_INPUT:
  * fewer than two points succeeded. UM_ERR_MEMORY. The caller destroys. */
-enum um_status um_study_learnt_create(struct um_context *context,
-                                      const struct um_study_result *result, const double *weight,
-                                      struct um_study_learnt **out);
+enum um_status um_study_statistics_create(struct um_context *context,
+                                          const struct um_study_result *result,
+                                          const double *weight, struct um_study_statistics **out);
 /* Accepts NULL, sets NULL. */
-void um_study_learnt_destroy(struct um_context *context, struct um_study_learnt **learnt);
+void um_study_statistics_destroy(struct um_context *context,
+                                 struct um_study_statistics **statistics);
 
 /* Standard deviation of a curve below which nothing varies it: a thousandth of its largest one, or
  * what is rounding of its largest value. */
-double um_study_quiet(const struct um_study_learnt *learnt,
+double um_study_quiet(const struct um_study_statistics *statistics,
                       const struct um_study_quantity *quantity);
 
 /* "share of the variance, closed form of the surrogate" and so on. */

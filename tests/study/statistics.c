@@ -1,5 +1,5 @@
-/* What is learnt from a study, its tables and sentences, against a pass in closed form. */
-#include "study/learnt.h"
+/* The statistics of a study, its tables and sentences, against a pass in closed form. */
+#include "study/statistics.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ static void test_designs(void **state)
 {
   (void)state;
   double *u;
-  struct um_study_learnt *l[4];
+  struct um_study_statistics *l[4];
   struct um_study_result *r[4];
   r[0] = pass_sobol(256, true);
   assert_int_equal(um_uncertainty_saltelli(context, 3, 512, 1, &u), UM_OK);
@@ -27,7 +27,7 @@ static void test_designs(void **state)
   const enum um_study_indices expected[4] = {UM_STUDY_INDICES_SURROGATE, UM_STUDY_INDICES_SAMPLED,
                                              UM_STUDY_INDICES_MORRIS, UM_STUDY_INDICES_RANKS};
   for (size_t i = 0; i < 4; i++) {
-    assert_int_equal(um_study_learnt_create(context, r[i], NULL, &l[i]), UM_OK);
+    assert_int_equal(um_study_statistics_create(context, r[i], NULL, &l[i]), UM_OK);
     assert_int_equal(l[i]->indices, expected[i]);
     assert_int_equal(l[i]->ndone, r[i]->npoint);
     /* visible light hangs on the cells alone; nothing in the umbra; nothing is seen at first */
@@ -45,7 +45,7 @@ static void test_designs(void **state)
       assert_close(l[0]->first[p * PASS_NVALUE + k], l[1]->first[p * PASS_NVALUE + k],
                    0.05 + 4.0 * l[1]->first_error[p * PASS_NVALUE + k]);
   for (size_t i = 0; i < 4; i++) {
-    um_study_learnt_destroy(context, &l[i]);
+    um_study_statistics_destroy(context, &l[i]);
     um_study_result_destroy(context, &r[i]);
   }
 }
@@ -55,10 +55,10 @@ static void test_spread(void **state)
 {
   (void)state;
   struct um_study_result *r = pass_sobol(1024, false);
-  struct um_study_learnt *l;
+  struct um_study_statistics *l;
   struct um_study_summary spread;
   const size_t k = 40;
-  assert_int_equal(um_study_learnt_create(context, r, NULL, &l), UM_OK);
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
   for (size_t p = 0; p < UM_STUDY_QUANTILES; p++) {
     double at[3] = {0.9 - 0.2 * um_study_quantile[p], 300.0, 1.0}, v[PASS_NVALUE];
     pass_values(at, v); /* the more emittance, the less light */
@@ -72,7 +72,7 @@ static void test_spread(void **state)
   assert_close(spread.quantile[2], largest, 2e-3 * largest);
   assert_string_equal(um_study_statistic_word(&r->quantity[0], UM_STUDY_LARGEST), "largest");
   assert_string_equal(um_study_statistic_word(&r->quantity[3], UM_STUDY_MEAN), "value");
-  um_study_learnt_destroy(context, &l);
+  um_study_statistics_destroy(context, &l);
   um_study_result_destroy(context, &r);
 }
 
@@ -82,11 +82,11 @@ static void test_sentence(void **state)
 {
   (void)state;
   struct um_study_result *r = pass_sobol(256, true);
-  struct um_study_learnt *l;
+  struct um_study_statistics *l;
   struct um_study_stretch *s;
   char *sentence;
   size_t n;
-  assert_int_equal(um_study_learnt_create(context, r, NULL, &l), UM_OK);
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
   assert_int_equal(um_study_stretches(context, r, l, &r->quantity[1], &s, &n), UM_OK);
   assert_true(n >= 2 && n <= 4);
   assert_close(s[0].from, r->time[0], 0.0);
@@ -109,7 +109,7 @@ static void test_sentence(void **state)
     if (q == 1) assert_non_null(strstr(sentence, "parts.bus.interior.power_W rules"));
     um_core_free(context, sentence);
   }
-  um_study_learnt_destroy(context, &l);
+  um_study_statistics_destroy(context, &l);
   um_study_result_destroy(context, &r);
 }
 
@@ -186,14 +186,14 @@ static void test_tables(void **state)
   (void)state;
   static const char *const name[4] = {"summary.csv", "curves.csv", "indices.csv", "table.md"};
   struct um_study_result *r = pass_sobol(256, true);
-  struct um_study_learnt *l;
+  struct um_study_statistics *l;
   struct um_core_folder *folder;
   char base[UM_TEST_PATH], path[UM_TEST_PATH + 40], line[4000];
   assert_int_equal(um_core_strdup(context, "bad | point", &r->reason[7]), UM_OK);
   for (size_t k = 0; k < PASS_NVALUE; k++) r->value[7 * PASS_NVALUE + k] = NAN;
   assert_int_equal(um_test_folder_create(base), 0);
   snprintf(path, sizeof path, "%s/out", base);
-  assert_int_equal(um_study_learnt_create(context, r, NULL, &l), UM_OK);
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
   assert_int_equal(l->ndone, 255);
   assert_int_equal(um_core_folder_begin(context, path, false, &folder), UM_OK);
   assert_int_equal(um_study_report_write(context, r, l, folder), UM_OK);
@@ -213,7 +213,7 @@ static void test_tables(void **state)
   rewind(out);
   while (fgets(line, sizeof line, out) != NULL) print_message("%s", line);
   fclose(out);
-  um_study_learnt_destroy(context, &l);
+  um_study_statistics_destroy(context, &l);
   um_study_result_destroy(context, &r);
   snprintf(line, sizeof line, "%.250s/.umbra", path);
   if (getenv("UMBRA_TEST_KEEP") != NULL) {
