@@ -108,7 +108,7 @@ static bool plan_equal(const struct um_model_tables *a, const struct um_model_pr
   const struct um_model_tables *b = p->tables;
   return observations_equal(a, b) && a->loads->ntime == p->ngrid &&
          same_number(a->period, b->period) && a->t_periodic_end == b->t_periodic_end &&
-         a->turn_period == b->turn_period && a->sparse == b->sparse && events_equal(a, b) &&
+         a->spin_period == b->spin_period && a->sparse == b->sparse && events_equal(a, b) &&
          same(a->loads->t, p->grid, p->ngrid, sizeof *p->grid) && a->loads->nedge == b->nevent &&
          same(a->loads->edge, p->edge, b->nevent, sizeof *p->edge);
 }

@@ -40,7 +40,7 @@ double um_model_load_step(const struct um_model *model, const struct um_model_ta
 {
   double step = model->scenario->thermal->step_s;
   if (!isnan(step)) return step;
-  if (tables->turn_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
+  if (tables->spin_period > 0.0) return UM_MODEL_LOADS_LONGEST_STEP;
   double orbital = isnan(tables->period) ? 0.0 : 2.0 * UM_PI / tables->period;
   double rate = um_orbit_attitude_rate(model->attitude, orbital);
   return rate > 0.0 ? fmin(UM_MODEL_LOADS_LONGEST_STEP, TURN_PER_STEP / rate)
@@ -141,7 +141,7 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
   }
   n = lay(recent, laid, end, step, grid, n);
   /* observed instants then have a table of theirs */
-  bool apart = tables->turn_period > 0.0 || tables->sparse;
+  bool apart = tables->spin_period > 0.0 || tables->sparse;
   if (apart) grid[n++] = (struct grid_time){end, true};
   for (size_t i = 0; i < ninstant && !apart; i++)
     grid[n++] = (struct grid_time){tables->sample[i].t_tai, true};

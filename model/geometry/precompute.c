@@ -141,9 +141,9 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
                             tables));
   UM_TRY(um_model_tables_hide(context, model, tables));
   trace_span(model, tables);
-  UM_TRY(um_model_turn_period(context, model, tables, &tables->turn_period));
+  UM_TRY(um_model_spin_period(context, model, tables, &tables->spin_period));
   tables->sparse =
-      instants->sparse && isnan(model->scenario->thermal->step_s) && !(tables->turn_period > 0.0);
+      instants->sparse && isnan(model->scenario->thermal->step_s) && !(tables->spin_period > 0.0);
   double step = um_model_load_step(model, tables);
   double end = tables->sample[tables->nobs * tables->nsub - 1].t_tai;
   UM_TRY(um_model_check_load_rows(context, model, tables,
@@ -227,7 +227,7 @@ void um_model_tables_destroy(struct um_context *context, struct um_model_tables 
   um_core_free(context, t->load_sample);
   um_core_free(context, t->event);
   if (t->seen != t->loads) um_irradiation_loads_destroy(context, &t->seen);
-  um_irradiation_loads_destroy(context, &t->ripple);
+  um_irradiation_loads_destroy(context, &t->spin_variation);
   um_irradiation_loads_destroy(context, &t->loads);
   um_model_body_tables_release(context, &t->body);
   um_irradiation_mirrored_destroy(context, &t->mirrored);

@@ -1,6 +1,6 @@
 /* Loads along a timeline: at every time of the grid, or, of a body that turns faster than its walls
  * follow, means over its turns. What is observed then has loads at its own instants for the light,
- * and at each what the temperatures of that instant swing about those of the means. */
+ * and at each how temperatures of that instant vary about those of the means. */
 #include "model/geometry/precompute_loads_impl.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "model/geometry/body_tables.h"
 #include "model/geometry/precompute_exchange_impl.h"
 #include "model/scenario/fail_group.h"
-#include "thermal/solver/ripple.h"
+#include "thermal/solver/spin_variation.h"
 
 #define GAS_THAT_SHOWS 0.5 /* heat of the atmosphere [W/m^2]: 0.1 K of a black plate at 300 K */
 #define MIRROR_POINTS  16  /* on each patch that sends sunlight on; a row in time has points anew */
@@ -48,12 +48,12 @@ turning_law(const struct um_model *model, struct um_scenario_turn *turn, const c
   return *why == NULL ? law : NULL;
 }
 
-enum um_status um_model_turn_period(struct um_context *context, const struct um_model *model,
+enum um_status um_model_spin_period(struct um_context *context, const struct um_model *model,
                                     const struct um_model_tables *tables, double *period)
 {
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
   struct um_scenario_turn turn;
-  struct um_thermal_ripple ripple;
+  struct um_thermal_spin_variation variation;
   const char *why;
   bool wanted = thermal->spin_loads == UM_SPIN_AVERAGED;
   *period = 0.0;
@@ -66,14 +66,14 @@ enum um_status um_model_turn_period(struct um_context *context, const struct um_
   if (!wanted && !(p <= UM_MODEL_LOADS_LONGEST_STEP)) return UM_OK;
   const struct um_environment *e = &model->environment;
   double sun = um_environment_solar_irradiance(e, tables->sample[0].sun_distance);
-  UM_TRY(um_thermal_ripple_bound(context, model->body->network, p, sun, e->albedo,
-                                 e->outgoing_longwave, &ripple));
-  if (!wanted && !(ripple.error <= thermal->accuracy_K)) return UM_OK;
+  UM_TRY(um_thermal_spin_variation_bound(context, model->body->network, p, sun, e->albedo,
+                                         e->outgoing_longwave, &variation));
+  if (!wanted && !(variation.error <= thermal->accuracy_K)) return UM_OK;
   *period = p;
   um_core_log(context, UM_LOG_INFO,
               "heat loads are means over the turn of %g s: temperatures swing by at most %.2g K "
               "within it, which is added; that leaves at most %.2g K",
-              p, ripple.amplitude, ripple.error);
+              p, variation.amplitude, variation.error);
   return UM_OK;
 }
 
@@ -123,15 +123,18 @@ static struct um_environment environment_for(const struct um_model *model)
 static enum um_status table_make(struct um_context *context, const struct um_model *model,
                                  const struct um_irradiation_sky *sky,
                                  const struct um_environment_sample *samples, size_t n,
-                                 const double *edge, size_t nedge, double turn, bool ripple,
+                                 const double *edge, size_t nedge, double turn, bool variation,
                                  struct um_irradiation_loads **out)
 {
   struct turner turner = {context, model, samples};
   struct um_environment environment = environment_for(model);
-  const struct um_irradiation_turn over = {
-      .n = TURN_SAMPLES, .period = turn, .ripple = ripple, .attitude = turned, .self = &turner};
+  const struct um_irradiation_spin over = {.n = TURN_SAMPLES,
+                                           .period = turn,
+                                           .variation = variation,
+                                           .attitude = turned,
+                                           .self = &turner};
   const struct um_irradiation_loads_options options = {
-      .nsample = model->scenario->thermal->samples, .sky = sky, .turn = turn > 0.0 ? &over : NULL};
+      .nsample = model->scenario->thermal->samples, .sky = sky, .spin = turn > 0.0 ? &over : NULL};
   return um_irradiation_loads_make(context, model->geometry, &environment, samples, n, edge, nedge,
                                    &options, out);
 }
@@ -152,7 +155,7 @@ static enum um_status trace_seen(struct um_context *context, const struct um_mod
   UM_CHECK(table_make(context, model, tables->body->sky, samples, n, edge, tables->nevent, 0.0,
                       false, &tables->seen));
   UM_CHECK(table_make(context, model, tables->body->sky, samples, n, edge, tables->nevent,
-                      tables->turn_period, true, &tables->ripple));
+                      tables->spin_period, true, &tables->spin_variation));
 done:
   um_core_free(context, times);
   um_core_free(context, samples);
@@ -179,10 +182,10 @@ static enum um_status trace_mirrored(struct um_context *context, const struct um
 {
   const struct um_geometry_view_factor_table *table = tables->view_factors;
   struct turner turner = {context, model, samples};
-  const struct um_irradiation_turn turn = {
-      .n = TURN_SAMPLES, .period = tables->turn_period, .attitude = turned, .self = &turner};
+  const struct um_irradiation_spin spin = {
+      .n = TURN_SAMPLES, .period = tables->spin_period, .attitude = turned, .self = &turner};
   const struct um_irradiation_mirrored_options options = {
-      .turn = tables->turn_period > 0.0 ? &turn : NULL, .points = MIRROR_POINTS};
+      .spin = tables->spin_period > 0.0 ? &spin : NULL, .points = MIRROR_POINTS};
   if (table == NULL || table->mirrors == NULL) return UM_OK;
   return um_irradiation_mirrored_trace(context, model->geometry, &model->environment, samples,
                                        tables->loads, table->patches, table->mirrors, &options,
@@ -212,8 +215,8 @@ enum um_status um_model_precompute_loads(struct um_context *context, const struc
   warn_of_gas(context, model, samples, ntime);
   if (tables->body == NULL) UM_CHECK(um_model_body_tables_create(context, model, &tables->body));
   UM_CHECK(table_make(context, model, tables->body->sky, samples, ntime, edge, tables->nevent,
-                      tables->turn_period, false, &tables->loads));
-  if (tables->turn_period > 0.0)
+                      tables->spin_period, false, &tables->loads));
+  if (tables->spin_period > 0.0)
     UM_CHECK(trace_seen(context, model, edge, tables));
   else if (tables->sparse)
     UM_CHECK(find_seen(context, tables));

@@ -105,7 +105,7 @@ size_t um_model_tables_bytes(const struct um_model_tables *p)
                               p->mirrored->ntime * UM_GEOMETRY_SKY_CELLS * 2 * sizeof(float);
   size_t seen = p->seen != p->loads ? loads_bytes(p->seen) : 0;
   return p->nobs * p->nsub * (sizeof *p->sample + sizeof *p->look) + loads_bytes(p->loads) + seen +
-         loads_bytes(p->ripple) + um_irradiation_sky_bytes(p->body->sky) +
+         loads_bytes(p->spin_variation) + um_irradiation_sky_bytes(p->body->sky) +
          factors_bytes(p->view_factors) + mirrored + view_bytes(p->view) +
          (p->loads != NULL ? p->loads->ntime * sizeof *p->load_sample : 0);
 }

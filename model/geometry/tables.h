@@ -39,10 +39,10 @@ struct um_model_tables {
   size_t *load_row;                          /* [nobs * nsub] row of `seen` at each instant */
   bool sparse; /* rows of `loads` stand as they need to, `seen` has those of the instants, linear
                   between them */
-  double turn_period;                  /* over which `loads` are means [s]; 0: over none */
-  struct um_irradiation_loads *ripple; /* rows of `seen`: um_irradiation_loads_turn; NULL where
-                                          `loads` are no means */
-  struct um_model_body_tables *body;   /* shared with others: body_tables.h */
+  double spin_period;                          /* over which `loads` are means [s]; 0: over none */
+  struct um_irradiation_loads *spin_variation; /* rows of `seen`: struct um_irradiation_spin; NULL
+                                          where `loads` are no means */
+  struct um_model_body_tables *body;           /* shared with others: body_tables.h */
   struct um_geometry_view_factor_table *view_factors; /* of `body`: at the times of the loads, or 1
                                                          where nothing moves; NULL: no heat to
                                                          follow */

@@ -26,7 +26,7 @@ enum um_status um_model_thermal_solution_response(struct um_context *context,
   UM_TRY(um_core_allocate(context, ninstant, sizeof *times, &times));
   for (size_t i = 0; i < ninstant; i++) times[i] = tables->sample[i].t_tai;
   enum um_status status = um_thermal_sensitivity(context, heat->model->body->network, tables->loads,
-                                                 &heat->setting.options, first, times[0], times,
+                                                 &heat->solver.options, first, times[0], times,
                                                  ninstant, &forcings, &how, take, user);
   um_core_free(context, times);
   return status;

@@ -50,10 +50,10 @@ enum um_status um_model_thermal_sensitivity_is_applicable(
   const struct um_model_tables *own = heat->tables;
   struct um_thermal_exchange_options x = um_model_exchange_options(heat->model),
                                      y = um_model_exchange_options(model);
-  *out = !own->points && !tables->points && own->ripple == NULL &&
-         exchange_small(own->view_factors) && tables->ripple == NULL &&
+  *out = !own->points && !tables->points && own->spin_variation == NULL &&
+         exchange_small(own->view_factors) && tables->spin_variation == NULL &&
          (a->start != UM_START_PERIODIC || !isnan(own->period)) && a->start == b->start &&
-         um_model_heat_options_equal(&options, &heat->setting.options) &&
+         um_model_heat_options_equal(&options, &heat->solver.options) &&
          um_model_times_equal(own, tables) && grids_equal(own->loads, tables->loads) &&
          um_thermal_network_thermostats(model->body->network) == 0 &&
          um_thermal_network_structure_equal(heat->model->body->network, model->body->network) &&
@@ -70,10 +70,10 @@ enum um_status um_model_thermal_sensitivity_is_applicable(
 struct work {
   struct um_context *context;
   const struct um_model_thermal_solution *heat;
-  struct um_model_heat_setting *setting; /* [nmove] */
-  struct um_thermal_variant *variant;    /* [nmove] */
-  double *begin;                         /* [nmove][nnode] start temperatures of the moved [K] */
-  double *start;                         /* [nmove][nnode] S of a periodic start */
+  struct um_model_solver_options *solver; /* [nmove] */
+  struct um_thermal_variant *variant;     /* [nmove] */
+  double *begin;                          /* [nmove][nnode] start temperatures of the moved [K] */
+  double *start;                          /* [nmove][nnode] S of a periodic start */
   struct um_model_thermal_sensitivity *to;
 };
 
@@ -90,7 +90,7 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
                                     size_t nmove)
 {
   const struct um_model_thermal_solution *heat = w->heat;
-  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->setting};
+  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->solver};
   for (size_t k = 0; k < nmove; k++) {
     bool applicable;
     UM_TRY(um_model_thermal_sensitivity_is_applicable(w->context, heat, move[k].model,
@@ -100,15 +100,15 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
                           "heat sensitivity %zu: the model has other nodes, heaters, times or "
                           "views; accepted: the base's, with other values",
                           k);
-    UM_TRY(um_model_heat_setting_moved(w->context, move[k].model, move[k].tables, &like,
-                                       &w->setting[k]));
+    UM_TRY(um_model_solver_options_moved(w->context, move[k].model, move[k].tables, &like,
+                                         &w->solver[k]));
     double *begin = w->begin + k * w->to->nnode;
     for (uint32_t i = 0; i < w->to->nnode; i++)
       begin[i] = um_thermal_network_temperature(move[k].model->body->network, i);
     UM_TRY(um_model_start_offset_add(w->context, move[k].model, begin));
     w->variant[k] = (struct um_thermal_variant){.network = move[k].model->body->network,
                                                 .loads = move[k].tables->loads,
-                                                .options = &w->setting[k].options,
+                                                .options = &w->solver[k].options,
                                                 .step = move[k].step,
                                                 .start = begin};
   }
@@ -123,12 +123,12 @@ static enum um_status follow(struct work *w)
   const struct um_thermal_forcings forcings = {.variant = w->variant, .nvariant = w->to->nmove};
   struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
   if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
-    UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->setting.options,
+    UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->solver.options,
                                            heat->start, p->t_start, p->period, w->variant,
                                            w->to->nmove, &how, w->start));
     how.start = w->start;
   }
-  return um_thermal_sensitivity(w->context, network, p->loads, &heat->setting.options, heat->start,
+  return um_thermal_sensitivity(w->context, network, p->loads, &heat->solver.options, heat->start,
                                 heat->run.from, heat->run.history->t, w->to->nrow, &forcings, &how,
                                 keep, w->to);
 }
@@ -149,16 +149,16 @@ enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, nmove, w.to->nrow * n * sizeof(double), &w.to->value));
   UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.begin));
   UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.start));
-  UM_CHECK(um_core_allocate(context, nmove, sizeof *w.setting, &w.setting));
+  UM_CHECK(um_core_allocate(context, nmove, sizeof *w.solver, &w.solver));
   UM_CHECK(um_core_allocate(context, nmove, sizeof *w.variant, &w.variant));
   UM_CHECK(variants_make(&w, move, nmove));
   UM_CHECK(follow(&w));
   *out = w.to;
   w.to = NULL;
 done:
-  for (size_t k = 0; w.setting != NULL && k < nmove; k++)
-    um_model_heat_setting_clear(context, &w.setting[k]);
-  UM_FREE(context, w.setting, w.variant, w.begin, w.start);
+  for (size_t k = 0; w.solver != NULL && k < nmove; k++)
+    um_model_solver_options_clear(context, &w.solver[k]);
+  UM_FREE(context, w.solver, w.variant, w.begin, w.start);
   um_model_thermal_sensitivity_destroy(context, &w.to);
   return status;
 }
@@ -202,7 +202,7 @@ enum um_status um_model_thermal_solution_move(
     struct um_model_thermal_solution **out)
 {
   enum um_status status;
-  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->setting};
+  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->solver};
   const double *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
   struct um_model_thermal_solution *moved = NULL;
   *out = NULL;
@@ -212,8 +212,8 @@ enum um_status um_model_thermal_solution_move(
       .tables = tables,
       .periodic_distance = heat->periodic_distance,
       .run = {.before = heat->run.before, .from = heat->run.from}};
-  UM_CHECK(um_model_heat_setting_moved(context, model, tables, &like, &moved->setting));
-  moved->setting.options.tolerance_factor = heat->setting.options.tolerance_factor;
+  UM_CHECK(um_model_solver_options_moved(context, model, tables, &like, &moved->solver));
+  moved->solver.options.tolerance_factor = heat->solver.options.tolerance_factor;
   UM_CHECK(um_core_allocate(context, 1, sizeof *moved->run.history, &moved->run.history));
   UM_CHECK(history_move(context, heat->run.history, s, step, moved->run.history));
   UM_CHECK(um_model_heat_run_surfaces(context, moved));

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/core/interpolation.h"
-#include "model/run/heat_setting_impl.h"
+#include "model/run/solver_options_impl.h"
 #include "thermal/solver/solve.h"
 
 /* What a node takes in whatever its temperature [W]. */
@@ -65,17 +65,17 @@ static size_t first_row(const struct um_model_tables *tables)
 enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
                                        const struct um_model_tables *tables, double *temperature)
 {
-  struct um_model_heat_setting setting = {0};
-  enum um_status status = um_model_heat_setting_make(context, model, tables, NULL, &setting);
+  struct um_model_solver_options solver = {0};
+  enum um_status status = um_model_solver_options_make(context, model, tables, NULL, &solver);
   double change = status == UM_OK ? INFINITY : 0.0;
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
     UM_CHECK(um_thermal_solve_steady(context, model->body->network, tables->loads,
-                                     first_row(tables), &setting.options, NULL, temperature));
-    UM_CHECK(um_model_heat_setting_renew(context, model, tables, temperature,
-                                         UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
+                                     first_row(tables), &solver.options, NULL, temperature));
+    UM_CHECK(um_model_solver_options_renew(context, model, tables, temperature,
+                                           UM_MODEL_SAME_EMITTANCE, round, &solver, &change));
   }
 done:
-  um_model_heat_setting_clear(context, &setting);
+  um_model_solver_options_clear(context, &solver);
   return status;
 }
 
@@ -83,7 +83,7 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
                                       const struct um_model_tables *tables, double *temperature)
 {
   enum um_status status;
-  struct um_model_heat_setting setting = {0};
+  struct um_model_solver_options solver = {0};
   const struct um_irradiation_loads *loads = tables->loads;
   const struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
@@ -93,18 +93,18 @@ enum um_status um_model_balance_orbit(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT,
                         "analysis orbit_mean: no whole orbit is computed; accepted: an orbit, and "
                         "thermal.start: periodic or thermal.orbits_before: 1");
-  UM_CHECK(um_model_heat_setting_make(context, model, tables, NULL, &setting));
+  UM_CHECK(um_model_solver_options_make(context, model, tables, NULL, &solver));
   UM_CHECK(um_core_allocate(context, n, sizeof *mean, &mean));
   for (uint32_t i = 0; i < n; i++) temperature[i] = um_thermal_network_temperature(network, i);
-  UM_CHECK(average(context, network, &setting.options, loads, from, period, temperature, mean));
+  UM_CHECK(average(context, network, &solver.options, loads, from, period, temperature, mean));
   double change = INFINITY;
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
-    UM_CHECK(um_thermal_solve_powered(context, network, mean, &setting.options, temperature));
-    UM_CHECK(um_model_heat_setting_renew(context, model, tables, temperature,
-                                         UM_MODEL_SAME_EMITTANCE, round, &setting, &change));
+    UM_CHECK(um_thermal_solve_powered(context, network, mean, &solver.options, temperature));
+    UM_CHECK(um_model_solver_options_renew(context, model, tables, temperature,
+                                           UM_MODEL_SAME_EMITTANCE, round, &solver, &change));
   }
 done:
   um_core_free(context, mean);
-  um_model_heat_setting_clear(context, &setting);
+  um_model_solver_options_clear(context, &solver);
   return status;
 }

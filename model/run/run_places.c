@@ -134,7 +134,7 @@ enum um_status um_model_run_heat(struct um_context *context, const struct um_mod
   for (size_t i = 0; i < instants(tables); i++) {
     const double *t = h->temperature + (i + (run->before ? 1 : 0)) * h->nnode;
     UM_CHECK(um_core_stop_check(context, "heats were summed"));
-    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, tables->loads, &heat->setting.options,
+    UM_CHECK(um_thermal_heat_of_nodes(context, body->network, tables->loads, &heat->solver.options,
                                       tables->seen->t[tables->load_row[i]], t, node));
     if (h->heating != NULL)
       um_thermal_heat_of_thermostats(

@@ -6,9 +6,9 @@
 
 #include "model/build/start_offset_group.h"
 #include "model/geometry/thermal_equal_group.h"
-#include "model/run/heat_setting_impl.h"
+#include "model/run/solver_options_impl.h"
 #include "model/run/thermal_solution_group.h"
-#include "thermal/solver/ripple.h"
+#include "thermal/solver/spin_variation.h"
 
 /* The paper's reduction: every surface of a material at the material's mean temperature. */
 static enum um_status to_material_means(struct um_context *context, const struct um_model *model,
@@ -84,25 +84,26 @@ static enum um_status follow(struct um_context *context, bool brief,
   if (run->before) times[0] = fmax(before, tables->t_start);
   for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = tables->sample[i].t_tai;
   UM_CHECK(um_thermal_solve(context, heat->model->body->network, tables->loads,
-                            &heat->setting.options, heat->start, from, times,
+                            &heat->solver.options, heat->start, from, times,
                             ninstant + (run->before ? 1 : 0), &run->history));
 done:
   um_core_free(context, times);
   return status;
 }
 
-/* What nodes swing within a turn over whose means the loads went; the row an orbit before the first
+/* What nodes vary within a turn over whose means the loads went; the row an orbit before the first
  * instant gets what that instant gets, so that their difference is that of the means. */
-static enum um_status swing(struct um_context *context, struct um_model_thermal_solution *heat)
+static enum um_status variation_add(struct um_context *context,
+                                    struct um_model_thermal_solution *heat)
 {
   const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_history *h = heat->run.history;
   size_t shift = heat->run.before ? 1 : 0;
-  if (tables->ripple == NULL) return UM_OK;
+  if (tables->spin_variation == NULL) return UM_OK;
   for (size_t k = 0; k < h->ntime; k++) {
     UM_TRY(um_core_stop_check(context, "temperatures within a turn were added"));
-    UM_TRY(um_thermal_ripple_add(
-        context, heat->model->body->network, tables->ripple, &heat->setting.options,
+    UM_TRY(um_thermal_spin_variation_add(
+        context, heat->model->body->network, tables->spin_variation, &heat->solver.options,
         tables->load_row[k < shift ? 0 : k - shift], 1.0, h->temperature + k * h->nnode));
   }
   return UM_OK;
@@ -127,7 +128,7 @@ enum um_status um_model_heat_run_surfaces(struct um_context *context,
 }
 
 /* How a solution is asked for. */
-struct manner {
+struct solution_options {
   const struct um_model_thermal_solution *warm; /* NULL: from nothing */
   double tolerance_factor;
   double periodic; /* of the state that repeats [K] */
@@ -136,11 +137,11 @@ struct manner {
 
 static enum um_status solution_make(struct um_context *context, const struct um_model *model,
                                     const struct um_model_tables *tables,
-                                    const struct manner *manner,
+                                    const struct solution_options *options,
                                     struct um_model_thermal_solution **out)
 {
   enum um_status status;
-  const struct um_model_thermal_solution *warm = manner->warm;
+  const struct um_model_thermal_solution *warm = options->warm;
   const struct um_thermal_network *network = model->body->network;
   size_t n = um_thermal_network_nodes(network);
   struct um_model_thermal_solution *heat = NULL;
@@ -150,22 +151,22 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   UM_CHECK(um_core_allocate(context, 1, sizeof *heat, &heat));
   *heat = (struct um_model_thermal_solution){.model = model, .tables = tables};
   if (warm != NULL && periodic)
-    like = (struct um_model_heat_like){warm->model, warm->tables, &warm->setting};
-  UM_CHECK(um_model_heat_setting_make(context, model, tables, like.model != NULL ? &like : NULL,
-                                      &heat->setting));
-  heat->setting.options.tolerance_factor = manner->tolerance_factor;
+    like = (struct um_model_heat_like){warm->model, warm->tables, &warm->solver};
+  UM_CHECK(um_model_solver_options_make(context, model, tables, like.model != NULL ? &like : NULL,
+                                        &heat->solver));
+  heat->solver.options.tolerance_factor = options->tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = um_thermal_network_temperature(network, (uint32_t)i);
-  UM_CHECK(um_model_thermal_start(context, warm, manner->periodic, heat));
+  UM_CHECK(um_model_thermal_start(context, warm, options->periodic, heat));
   UM_CHECK(um_model_start_offset_add(context, model, heat->start));
   /* temperatures that are stated are those of that instant, not means over its turn */
-  if (tables->ripple != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
-    UM_CHECK(um_thermal_ripple_add(context, network, tables->ripple, &heat->setting.options, 0,
-                                   -1.0, heat->start));
-  UM_CHECK(tables->points ? hold_start(context, heat) : follow(context, manner->brief, heat));
-  UM_CHECK(swing(context, heat));
+  if (tables->spin_variation != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
+    UM_CHECK(um_thermal_spin_variation_add(context, network, tables->spin_variation,
+                                           &heat->solver.options, 0, -1.0, heat->start));
+  UM_CHECK(tables->points ? hold_start(context, heat) : follow(context, options->brief, heat));
+  UM_CHECK(variation_add(context, heat));
   UM_CHECK(um_model_heat_run_surfaces(context, heat));
   *out = heat;
   heat = NULL;
@@ -181,9 +182,9 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out)
 {
-  const struct manner manner = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE,
-                                tolerance_factor > 1.0};
-  return solution_make(context, model, tables, &manner, out);
+  const struct solution_options options = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE,
+                                           tolerance_factor > 1.0};
+  return solution_make(context, model, tables, &options, out);
 }
 
 enum um_status um_model_thermal_solution_near(struct um_context *context,
@@ -193,8 +194,8 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               double tolerance_factor, double periodic,
                                               struct um_model_thermal_solution **out)
 {
-  const struct manner manner = {warm, tolerance_factor, periodic, true};
-  return solution_make(context, model, tables, &manner, out);
+  const struct solution_options options = {warm, tolerance_factor, periodic, true};
+  return solution_make(context, model, tables, &options, out);
 }
 
 enum um_status um_model_thermal_solution_lead(struct um_context *context,
@@ -227,7 +228,7 @@ void um_model_thermal_solution_destroy(struct um_context *context,
   if (heat == NULL || *heat == NULL) return;
   um_thermal_history_destroy(context, &(*heat)->run.history);
   UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->residual);
-  um_model_heat_setting_clear(context, &(*heat)->setting);
+  um_model_solver_options_clear(context, &(*heat)->solver);
   um_core_free(context, *heat);
   *heat = NULL;
 }
@@ -250,18 +251,18 @@ enum um_status um_model_thermal_solution_is_compatible(struct um_context *contex
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
   struct um_model_aging *aging = NULL;
-  *out = um_model_heat_options_equal(&options, &heat->setting.options) && a->start == b->start &&
+  *out = um_model_heat_options_equal(&options, &heat->solver.options) && a->start == b->start &&
          a->temperature_in_optics == b->temperature_in_optics &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
          um_model_times_equal(heat->tables, tables) &&
          um_model_loads_equal(heat->tables->loads, tables->loads) &&
-         um_model_loads_equal(heat->tables->ripple, tables->ripple) &&
+         um_model_loads_equal(heat->tables->spin_variation, tables->spin_variation) &&
          um_thermal_network_equal(heat->model->body->network, model->body->network) &&
          exchange_equal(heat, model, tables) && um_model_start_offset_equal(heat->model, model);
   if (!*out || tables->points) return UM_OK;
   UM_TRY(um_model_aging_create(context, model, tables->loads, &aging));
-  *out = um_model_aging_equal(heat->setting.aging, aging);
+  *out = um_model_aging_equal(heat->solver.aging, aging);
   um_model_aging_destroy(context, &aging);
   return UM_OK;
 }

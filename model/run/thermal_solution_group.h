@@ -4,7 +4,7 @@
 
 #include "model/build/model.h"
 #include "model/geometry/tables.h"
-#include "model/run/heat_setting_impl.h"
+#include "model/run/solver_options_impl.h"
 #include "thermal/solver/solve.h"
 
 /* Temperatures at every instant of the geometry tables. history: rows
@@ -19,7 +19,7 @@ struct um_model_heat_run {
 struct um_model_thermal_solution {
   const struct um_model *model;         /* borrowed */
   const struct um_model_tables *tables; /* borrowed */
-  struct um_model_heat_setting setting;
+  struct um_model_solver_options solver;
   double *start;    /* [nnode] start temperatures [K] */
   double *mean;     /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
   double *residual; /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
@@ -28,7 +28,7 @@ struct um_model_thermal_solution {
 };
 
 /* Start temperatures as the scenario wants them, into heat->start, which holds those of the network
- * as built, and heat->setting.exchange for what follows. warm: NULL, or heat of a model with the
+ * as built, and heat->solver.exchange for what follows. warm: NULL, or heat of a model with the
  * same nodes: a periodic state is looked for from there, and surfaces exchange as they do there
  * unless that state says otherwise; a stated start is not touched. Errors of the thermal solvers.
  */

@@ -19,7 +19,7 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
 {
   const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
-  struct um_thermal_solve_options options = heat->setting.options;
+  struct um_thermal_solve_options options = heat->solver.options;
   struct um_thermal_periodic report;
   if (isnan(tables->period)) {
     UM_TRY(um_thermal_solve_steady(context, network, tables->loads, 0, &options, heat->start,
@@ -42,7 +42,7 @@ static enum um_status run_roughly(struct um_context *context,
 {
   const struct um_model_tables *tables = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
-  struct um_thermal_solve_options options = heat->setting.options;
+  struct um_thermal_solve_options options = heat->solver.options;
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
   double end = tables->loads->t[tables->loads->ntime - 1], time[DRAFT_INSTANTS];
@@ -72,12 +72,12 @@ static enum um_status settle_stated(struct um_context *context,
                                     struct um_model_thermal_solution *heat)
 {
   double change;
-  UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->start, 0.0, 0,
-                                     &heat->setting, &change));
+  UM_TRY(um_model_solver_options_renew(context, heat->model, heat->tables, heat->start, 0.0, 0,
+                                       &heat->solver, &change));
   if (!(change > ROUNDING)) return UM_OK; /* no emittance depends on temperature */
   UM_TRY(run_roughly(context, heat));
-  return um_model_heat_setting_renew(context, heat->model, heat->tables, heat->mean, 0.0, 0,
-                                     &heat->setting, &change);
+  return um_model_solver_options_renew(context, heat->model, heat->tables, heat->mean, 0.0, 0,
+                                       &heat->solver, &change);
 }
 
 bool um_model_thermal_can_extrapolate(const struct um_model_thermal_solution *heat)
@@ -93,7 +93,7 @@ enum um_status um_model_thermal_residual(struct um_context *context,
 {
   const struct um_model_tables *tables = heat->tables;
   return um_thermal_orbit_mean_residual(context, heat->model->body->network, tables->loads,
-                                        &heat->setting.options, tables->t_start, tables->period,
+                                        &heat->solver.options, tables->t_start, tables->period,
                                         heat->mean, residual);
 }
 
@@ -115,10 +115,10 @@ static enum um_status extrapolate(struct um_context *context,
   const double *residual = warm->residual != NULL ? warm->residual : found;
   memcpy(heat->mean, warm->mean, n * sizeof *heat->mean);
   for (int round = 1; change > UM_MODEL_SAME_EMITTANCE; round++) {
-    UM_CHECK(um_thermal_orbit_mean_solve(context, network, tables->loads, &heat->setting.options,
+    UM_CHECK(um_thermal_orbit_mean_solve(context, network, tables->loads, &heat->solver.options,
                                          tables->t_start, tables->period, residual, heat->mean));
-    UM_CHECK(um_model_heat_setting_renew(context, heat->model, tables, heat->mean,
-                                         UM_MODEL_SAME_EMITTANCE, round, &heat->setting, &change));
+    UM_CHECK(um_model_solver_options_renew(context, heat->model, tables, heat->mean,
+                                           UM_MODEL_SAME_EMITTANCE, round, &heat->solver, &change));
   }
   for (size_t i = 0; i < n; i++)
     if (um_thermal_network_kind(network, (uint32_t)i) != UM_NODE_BOUNDARY)
@@ -140,8 +140,8 @@ static enum um_status settle_periodic(struct um_context *context,
   const double same = UM_MODEL_SAME_EMITTANCE * tolerance / UM_MODEL_PERIODIC_TOLERANCE;
   double change = 0.0;
   if (!warm)
-    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->start, same, 0,
-                                       &heat->setting, &change));
+    UM_TRY(um_model_solver_options_renew(context, heat->model, heat->tables, heat->start, same, 0,
+                                         &heat->solver, &change));
   bool draft = !warm && change > ROUNDING;
   change = INFINITY;
   for (int round = 1; change > same; round++) {
@@ -153,8 +153,8 @@ static enum um_status settle_periodic(struct um_context *context,
       continue;
     }
     UM_TRY(status);
-    UM_TRY(um_model_heat_setting_renew(context, heat->model, heat->tables, heat->mean, same, round,
-                                       &heat->setting, &change));
+    UM_TRY(um_model_solver_options_renew(context, heat->model, heat->tables, heat->mean, same,
+                                         round, &heat->solver, &change));
     if (!draft) continue;
     draft = change > DRAFT_EMITTANCE;
     change = INFINITY; /* the search itself is to come */

@@ -58,7 +58,8 @@ static bool traced_equal(const struct um_model_tables *a, const struct um_model_
          same(a->loads->view_factor, b->loads->view_factor, rows, sizeof(float)) &&
          same(a->loads->brightness, b->loads->brightness, rows, sizeof(float)) &&
          um_model_view_factors_equal(a->view_factors, b->view_factors) &&
-         um_model_loads_equal(a->seen, b->seen) && um_model_loads_equal(a->ripple, b->ripple) &&
+         um_model_loads_equal(a->seen, b->seen) &&
+         um_model_loads_equal(a->spin_variation, b->spin_variation) &&
          mirrored_equal(a->mirrored, b->mirrored) && views_equal(a->view, b->view);
 }
 

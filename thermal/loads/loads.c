@@ -25,9 +25,9 @@ struct tracer {
   const struct um_geometry_mesh *mesh;
   const struct um_environment *environment;
   const struct um_environment_sample *samples;
-  const struct um_irradiation_turn *turn;   /* NULL: every sample has its own attitude alone */
+  const struct um_irradiation_spin *spin;   /* NULL: every sample has its own attitude alone */
   struct um_irradiation_loads *loads, *one; /* one: [BATCH] rows of single attitudes, with turn */
-  struct um_quat *attitude;                 /* [BATCH][turn->n] scratch */
+  struct um_quat *attitude;                 /* [BATCH][spin->n] scratch */
   int nsample;
   size_t njoint;
   bool moves;
@@ -235,25 +235,25 @@ static void trace_turn(const struct tracer *t, size_t k, size_t slot)
 {
   struct um_irradiation_row one = um_irradiation_row_of(t->one, slot);
   struct um_environment_sample sample = t->samples[k];
-  for (size_t j = 0; j < t->turn->n && !um_core_stopped(t->context); j++) {
+  for (size_t j = 0; j < t->spin->n && !um_core_stopped(t->context); j++) {
     double u, weight;
-    um_irradiation_turn_node(t->turn, k, j, &u, &weight);
-    sample.q = t->attitude[slot * t->turn->n + j];
+    um_irradiation_spin_node(t->spin, k, j, &u, &weight);
+    sample.q = t->attitude[slot * t->spin->n + j];
     memset(one.sun, 0, t->mesh->nsurface * sizeof *one.sun);
     if (one.gas != NULL) memset(one.gas, 0, t->mesh->nsurface * sizeof *one.gas);
     trace_row(t, &sample, &t->fixed, slot, t->bright[k], &one);
-    um_irradiation_turn_add(t->loads, k, weight, &one);
+    um_irradiation_spin_add(t->loads, k, weight, &one);
   }
 }
 
 static enum um_status attitudes_ask(struct tracer *t, size_t from, size_t n)
 {
   for (size_t i = 0; i < n; i++)
-    for (size_t j = 0; j < t->turn->n; j++) {
+    for (size_t j = 0; j < t->spin->n; j++) {
       double u, weight;
-      um_irradiation_turn_node(t->turn, from + i, j, &u, &weight);
-      UM_TRY(t->turn->attitude(t->turn->self, from + i, t->turn->period - u,
-                               &t->attitude[i * t->turn->n + j]));
+      um_irradiation_spin_node(t->spin, from + i, j, &u, &weight);
+      UM_TRY(t->spin->attitude(t->spin->self, from + i, t->spin->period - u,
+                               &t->attitude[i * t->spin->n + j]));
     }
   return UM_OK;
 }
@@ -262,7 +262,7 @@ static enum um_status attitudes_ask(struct tracer *t, size_t from, size_t n)
 static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
 {
   struct um_thermal_scene own[BATCH] = {{0}};
-  enum um_status status = t->turn != NULL ? attitudes_ask(t, from, n) : UM_OK;
+  enum um_status status = t->spin != NULL ? attitudes_ask(t, from, n) : UM_OK;
   for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
     um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
     status = scene_create(t, t->angles, &own[i]);
@@ -275,7 +275,7 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
       if (um_core_stopped(t->context)) continue; /* progress_step says so */
       const struct um_thermal_scene *scene = t->moves ? &own[slot] : &t->fixed;
       struct um_irradiation_row row = um_irradiation_row_of(t->loads, from + slot);
-      if (t->turn != NULL)
+      if (t->spin != NULL)
         trace_turn(t, from + slot, slot);
       else
         trace_row(t, &t->samples[from + slot], scene, slot, t->bright[from + slot], &row);
@@ -336,7 +336,7 @@ bool um_irradiation_wants_sky(const struct um_geometry *geometry,
 static enum um_status columns_add(const struct tracer *t, struct um_irradiation_loads *loads)
 {
   size_t n = loads->ntime * loads->nsurface;
-  if (t->turn == NULL && um_environment_earth_varies(t->environment))
+  if (t->spin == NULL && um_environment_earth_varies(t->environment))
     UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->brightness));
   if (t->environment->gas_density_factor > 0.0)
     UM_TRY(um_core_allocate(t->context, n, sizeof(float), &loads->gas));
@@ -351,13 +351,13 @@ static enum um_status columns_add(const struct tracer *t, struct um_irradiation_
 static enum um_status turn_prepare(struct tracer *t)
 {
   size_t n = t->loads->ntime * t->loads->nsurface;
-  if (t->turn == NULL) return UM_OK;
-  if (t->moves || t->turn->n < 1 || !(t->turn->period > 0.0))
+  if (t->spin == NULL) return UM_OK;
+  if (t->moves || t->spin->n < 1 || !(t->spin->period > 0.0))
     return um_core_fail(t->context, UM_ERR_INPUT,
                         "loads over a turn of %g s by %zu attitudes%s; accepted: above 0 s, 1 or "
                         "more, no joint that moves",
-                        t->turn->period, t->turn->n, t->moves ? " of joints that move" : "");
-  UM_TRY(um_core_allocate(t->context, BATCH * t->turn->n, sizeof *t->attitude, &t->attitude));
+                        t->spin->period, t->spin->n, t->moves ? " of joints that move" : "");
+  UM_TRY(um_core_allocate(t->context, BATCH * t->spin->n, sizeof *t->attitude, &t->attitude));
   UM_TRY(um_core_allocate(t->context, n, UM_IRRADIATION_COSINES * sizeof(float),
                           &t->loads->by_cosine));
   UM_TRY(um_irradiation_loads_create(t->context, BATCH, t->loads->nsurface, 0, &t->one));
@@ -379,7 +379,7 @@ enum um_status um_irradiation_loads_make(struct um_context *context,
                      .mesh = um_geometry_mesh(geometry),
                      .environment = environment,
                      .samples = samples,
-                     .turn = options->turn,
+                     .spin = options->spin,
                      .sky = options->sky,
                      .nsample = options->nsample,
                      .njoint = um_geometry_joint_count(geometry),

@@ -49,10 +49,10 @@ enum um_status um_irradiation_loads_trace(struct um_context *context,
                                           const double *edges, size_t nedge, int nsample,
                                           struct um_irradiation_loads **out);
 /* A body that turns while all else hardly moves. */
-struct um_irradiation_turn {
-  size_t n;      /* attitudes of a turn that are looked at */
-  double period; /* [s] */
-  bool ripple;   /* see below */
+struct um_irradiation_spin {
+  size_t n;       /* attitudes of a turn that are looked at */
+  double period;  /* [s] */
+  bool variation; /* see below */
   /* attitude `before` [s] ahead of sample `row`, all else as there */
   enum um_status (*attitude)(void *self, size_t row, double before, struct um_quat *q);
   void *self;
@@ -61,7 +61,7 @@ struct um_irradiation_loads_options {
   int nsample;
   /* of a geometry that equals the table's: the same bits as without; NULL: it is made */
   const struct um_irradiation_sky *sky;
-  const struct um_irradiation_turn *turn; /* NULL: attitudes are those of the samples */
+  const struct um_irradiation_spin *spin; /* NULL: attitudes are those of the samples */
 };
 /* Loads of the same meaning; with a turn each is the mean over the turn that ends at its sample,
  * position, Sun and Earth as they are there,
@@ -69,13 +69,13 @@ struct um_irradiation_loads_options {
  *   mean_k = 1/P integral q(u) du,   u in [0, P] since the turn began,
  *
  * by n midpoints, which begin elsewhere in each row; so `sun` is up to 1.1 / n^2
- * off where nothing shades, another way in every row, and not in the mean over rows. With ripple
+ * off where nothing shades, another way in every row, and not in the mean over rows. With variation
  * what a surface has taken beyond that mean since the middle of it, with mean 0 over the turn,
  *
- *   ripple_k = integral (u / P - 1/2) q(u) du   [s] times the unit of the load.
+ *   variation_k = integral (u / P - 1/2) q(u) du   [s] times the unit of the load.
  *
  * With a turn no joint may move. Errors of um_irradiation_loads_trace and of `attitude`. Test:
- * thermal/loads/turn. */
+ * thermal/loads/spin_averaged. */
 enum um_status um_irradiation_loads_make(struct um_context *context,
                                          const struct um_geometry *geometry,
                                          const struct um_environment *environment,

@@ -13,11 +13,12 @@ struct um_irradiation_row {
 };
 struct um_irradiation_row um_irradiation_row_of(const struct um_irradiation_loads *loads, size_t k);
 
-/* loads_turn.c: to row k of the table, which starts zeroed, weight times a row of one attitude. */
-void um_irradiation_turn_add(const struct um_irradiation_loads *loads, size_t k, double weight,
+/* loads_spin_averaged.c: to row k of the table, which starts zeroed, weight times a row of one
+ * attitude. */
+void um_irradiation_spin_add(const struct um_irradiation_loads *loads, size_t k, double weight,
                              const struct um_irradiation_row *one);
 /* Attitude j of row k: the time since the turn began [s] and the weight [1] or [s]. */
-void um_irradiation_turn_node(const struct um_irradiation_turn *turn, size_t k, size_t j, double *u,
+void um_irradiation_spin_node(const struct um_irradiation_spin *spin, size_t k, size_t j, double *u,
                               double *weight);
 
 /* A pose with its scene. */

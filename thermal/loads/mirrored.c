@@ -46,11 +46,11 @@ struct tracer {
   const struct um_irradiation_loads *loads;
   const struct um_geometry_patches *patches;
   const struct um_geometry_mirrors *mirrors;
-  const struct um_irradiation_turn *turn;
+  const struct um_irradiation_spin *spin;
   bool moves, earth;
   uint32_t *surface;              /* [nsurface] of the mirrors that are looked at */
   size_t *count, nsurface, nray;  /* [nsurface] rays of each */
-  struct um_quat *attitude;       /* [BATCH][turn->n] */
+  struct um_quat *attitude;       /* [BATCH][spin->n] */
   double *angles;                 /* [njoint] */
   struct um_vec3 *middle;         /* [UM_GEOMETRY_SKY_CELLS] directions */
   struct um_geometry_pose *fixed; /* where nothing moves */
@@ -92,8 +92,8 @@ static enum um_status prepare(struct tracer *t, size_t points)
   UM_TRY(um_core_allocate(context, ncell, sizeof *t->middle, &t->middle));
   for (size_t c = 0; c < ncell; c++)
     t->middle[c] = um_geometry_cube_direction(UM_GEOMETRY_SKY_SIDE, c, 0.5, 0.5);
-  if (t->turn != NULL)
-    UM_TRY(um_core_allocate(context, BATCH * t->turn->n, sizeof *t->attitude, &t->attitude));
+  if (t->spin != NULL)
+    UM_TRY(um_core_allocate(context, BATCH * t->spin->n, sizeof *t->attitude, &t->attitude));
   for (size_t k = 0; k < BATCH; k++) {
     struct slot *s = &t->slot[k];
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->ray, &s->ray));
@@ -186,9 +186,9 @@ static void attitude_begin(const struct tracer *t, size_t row, size_t j, struct 
 {
   struct um_environment_sample sample = t->samples[row];
   double weight = 1.0, before;
-  if (t->turn != NULL) {
-    um_irradiation_turn_node(t->turn, row, j, &before, &weight);
-    sample.q = t->attitude[at * t->turn->n + j];
+  if (t->spin != NULL) {
+    um_irradiation_spin_node(t->spin, row, j, &before, &weight);
+    sample.q = t->attitude[at * t->spin->n + j];
   }
   if (t->earth)
     um_irradiation_mirrored_earth(t->environment, &sample, weight, t->middle,
@@ -258,12 +258,12 @@ static enum um_status batch_write(struct tracer *t, size_t from, size_t n)
 
 static enum um_status attitudes_ask(struct tracer *t, size_t from, size_t n)
 {
-  for (size_t i = 0; i < n && t->turn != NULL; i++)
-    for (size_t j = 0; j < t->turn->n; j++) {
+  for (size_t i = 0; i < n && t->spin != NULL; i++)
+    for (size_t j = 0; j < t->spin->n; j++) {
       double u, weight;
-      um_irradiation_turn_node(t->turn, from + i, j, &u, &weight);
-      UM_TRY(t->turn->attitude(t->turn->self, from + i, t->turn->period - u,
-                               &t->attitude[i * t->turn->n + j]));
+      um_irradiation_spin_node(t->spin, from + i, j, &u, &weight);
+      UM_TRY(t->spin->attitude(t->spin->self, from + i, t->spin->period - u,
+                               &t->attitude[i * t->spin->n + j]));
     }
   return UM_OK;
 }
@@ -295,7 +295,7 @@ static enum um_status batch_run(struct tracer *t, size_t from, size_t n)
 {
   UM_TRY(attitudes_ask(t, from, n));
   for (size_t i = 0; i < n; i++) UM_TRY(slot_begin(t, from + i, &t->slot[i]));
-  for (size_t j = 0; j < (t->turn != NULL ? t->turn->n : 1); j++)
+  for (size_t j = 0; j < (t->spin != NULL ? t->spin->n : 1); j++)
     UM_TRY(attitude_run(t, from, (long)n, j));
   UM_TRY(batch_write(t, from, n));
   for (size_t i = 0; i < n; i++) slot_clear(t, &t->slot[i]);
@@ -331,7 +331,7 @@ enum um_status um_irradiation_mirrored_trace(
                      .loads = loads,
                      .patches = patches,
                      .mirrors = mirrors,
-                     .turn = options->turn,
+                     .spin = options->spin,
                      .moves = um_geometry_joint_moves(geometry)};
   *out = NULL;
   if (options->points < 1)

@@ -27,7 +27,7 @@ struct um_irradiation_mirrored {
 /* What is asked for beside a table of loads: its own geometry, samples [loads->ntime], attitudes of
  * a turn (NULL: those of the samples). */
 struct um_irradiation_mirrored_options {
-  const struct um_irradiation_turn *turn;
+  const struct um_irradiation_spin *spin;
   size_t points; /* on each patch that mirrors, spread by area */
 };
 

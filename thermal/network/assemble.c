@@ -146,11 +146,11 @@ static enum um_status assemble_part(struct um_thermal_builder *b, size_t part)
     UM_TRY(um_thermal_lump_assemble(b, part));
     break;
   case UM_THERMAL_NODES:
-    UM_TRY(um_thermal_graft_assemble(b, part));
+    UM_TRY(um_thermal_node_model_assemble(b, part));
     break;
   }
   UM_TRY(um_thermal_interiors_add(b, part));
-  UM_TRY(um_thermal_graft_links(b, part));
+  UM_TRY(um_thermal_node_model_links(b, part));
   UM_TRY(um_thermal_mli_assemble(b, part));
   UM_TRY(um_thermal_interiors_couple(b, part));
   UM_TRY(um_thermal_heat_pipes_assemble(b, part));

@@ -165,8 +165,8 @@ enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t par
 enum um_status um_thermal_heat_pipes_assemble(struct um_thermal_builder *b, size_t part);
 
 /* Nodes of the groups of a part of kind NODES. */
-enum um_status um_thermal_graft_assemble(struct um_thermal_builder *b, size_t part);
+enum um_status um_thermal_node_model_assemble(struct um_thermal_builder *b, size_t part);
 /* Its conductors and radiators, once its interiors stand; nothing for other kinds. */
-enum um_status um_thermal_graft_links(struct um_thermal_builder *b, size_t part);
+enum um_status um_thermal_node_model_links(struct um_thermal_builder *b, size_t part);
 
 #endif

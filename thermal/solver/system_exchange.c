@@ -106,7 +106,7 @@ enum um_status um_thermal_system_exchange_build(struct um_thermal_system *system
   system->exchange = x;
   x->exchange = exchange;
   x->t = NAN;
-  x->pace.threads = um_core_context_threads(context);
+  x->tuning.threads = um_core_context_threads(context);
   UM_TRY(shares_build(system, x));
   UM_TRY(um_core_allocate(context, exchange->npatch, sizeof(double), &x->power4));
   UM_TRY(um_core_allocate(context, exchange->npatch, sizeof(double), &x->heat));
@@ -179,7 +179,7 @@ static void gather(struct um_thermal_system *system, const struct um_thermal_bet
   for (; p < npatch; p++)
     x->power4[p] =
         sum_over(x, x->patch_start[p], x->patch_start[p + 1], p < outside ? of_node : inside, 0.0);
-  um_thermal_pace_apply(&x->pace, x->exchange, between, mix, x->power4, x->heat);
+  um_thermal_thread_tuning_apply(&x->tuning, x->exchange, between, mix, x->power4, x->heat);
 }
 
 static double received(const struct um_thermal_system_exchange *x, size_t node)

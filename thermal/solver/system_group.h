@@ -7,7 +7,7 @@
 #define UMBRA_THERMAL_SYSTEM_GROUP_H
 
 #include "thermal/exchange/exchange_group.h"
-#include "thermal/exchange/exchange_pace_group.h"
+#include "thermal/exchange/thread_tuning_group.h"
 #include "thermal/loads/loads.h"
 #include "thermal/network/link_law_group.h"
 #include "thermal/network/network_group.h"
@@ -86,7 +86,7 @@ struct um_thermal_system_exchange {
   bool fresh;                                 /* gain is of `made` and mix */
   double *change, *follow, *warm, *warm_inside; /* [n] scratch of the tangent */
   double *cluster;                              /* [n] the same, of an eliminated group */
-  struct um_thermal_pace pace;                  /* of the products */
+  struct um_thermal_thread_tuning tuning;       /* of the products */
   struct um_thermal_mix mix, held;              /* poses at the last state; of the linearisation */
   double t;                                     /* [s] of mix; NaN: none yet */
 };

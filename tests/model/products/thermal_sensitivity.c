@@ -86,24 +86,25 @@ static void world_release(struct world *w)
 static struct um_thermal_history *
 solved(const struct world *w, const struct um_model_thermal_solution *like, const double *guess)
 {
-  struct um_model_heat_setting setting;
+  struct um_model_solver_options solver;
   struct um_thermal_history *h;
   struct um_thermal_network *network = w->model->body->network;
   size_t n = um_thermal_network_nodes(network);
   double start[512], drift;
   assert_true(n <= 512);
-  assert_int_equal(um_model_heat_setting_make(context, w->model, w->tables, NULL, &setting), UM_OK);
-  setting.options.relative_tolerance = 1e-9;
-  setting.options.absolute_tolerance = 1e-7;
-  assert_int_equal(um_thermal_solve_periodic(context, network, w->tables->loads, &setting.options,
+  assert_int_equal(um_model_solver_options_make(context, w->model, w->tables, NULL, &solver),
+                   UM_OK);
+  solver.options.relative_tolerance = 1e-9;
+  solver.options.absolute_tolerance = 1e-7;
+  assert_int_equal(um_thermal_solve_periodic(context, network, w->tables->loads, &solver.options,
                                              guess, w->tables->t_start, w->tables->period, PERIODIC,
                                              start, &drift),
                    UM_OK);
-  assert_int_equal(um_thermal_solve(context, network, w->tables->loads, &setting.options, start,
+  assert_int_equal(um_thermal_solve(context, network, w->tables->loads, &solver.options, start,
                                     w->tables->t_start, like->run.history->t,
                                     like->run.history->ntime, &h),
                    UM_OK);
-  um_model_heat_setting_clear(context, &setting);
+  um_model_solver_options_clear(context, &solver);
   return h;
 }
 
@@ -249,7 +250,8 @@ static void test_refused(void **state)
   world_release(&base);
 }
 
-/* A turn's swing is not in the derivative; exchange of many patches is left to runs. */
+/* The variation within a spin is not in the derivative; exchange of many patches is left to runs.
+ */
 static void test_left_to_runs(void **state)
 {
   (void)state;
@@ -267,7 +269,7 @@ static void test_left_to_runs(void **state)
     bool applicable;
     assert_int_equal(um_model_create(context, SCENARIO, &options[i], &base.model), UM_OK);
     assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
-    if (i == 0) assert_non_null(base.tables->ripple);
+    if (i == 0) assert_non_null(base.tables->spin_variation);
     if (i == 1) assert_true(base.tables->view_factors->patches->npatch > 32);
     assert_int_equal(
         um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat),

@@ -49,7 +49,7 @@ static void stated_start(void **state)
   struct run run;
   double change = NAN;
   compute(set, 4, &run);
-  struct um_thermal_exchange *x = run.heat->setting.exchange;
+  struct um_thermal_exchange *x = run.heat->solver.exchange;
   struct um_thermal_network *network = run.model->body->network;
   struct um_thermal_history *h = NULL;
   size_t n = um_thermal_network_nodes(network);
@@ -58,7 +58,7 @@ static void stated_start(void **state)
   double from = run.tables->t_start, to = loads->t[loads->ntime - 1];
   assert_true(to - from > 1800.0);
   for (int k = 0; k < 200; k++) time[k] = from + (to - from) * k / 199;
-  OK(um_thermal_solve(context, network, loads, &run.heat->setting.options, run.heat->start, from,
+  OK(um_thermal_solve(context, network, loads, &run.heat->solver.options, run.heat->start, from,
                       time, 200, &h));
   for (int k = 0; k < 200; k++)
     for (size_t i = 0; i < n; i++) mean[i] += h->temperature[(size_t)k * n + i] / 200;
@@ -81,16 +81,16 @@ static void periodic_start(void **state)
   double change = NAN;
   compute(set, 1, &run);
   struct um_thermal_network *network = run.model->body->network;
-  struct um_thermal_exchange *x = run.heat->setting.exchange;
+  struct um_thermal_exchange *x = run.heat->solver.exchange;
   size_t n = um_thermal_network_nodes(network);
   double *mean = test_calloc(n, sizeof *mean), *end = test_calloc(n, sizeof *end);
   OK(um_thermal_solve_periodic_report(
-      context, network, run.tables->loads, &run.heat->setting.options, run.heat->start,
+      context, network, run.tables->loads, &run.heat->solver.options, run.heat->start,
       run.tables->t_start, run.tables->period, 0.01, end, NULL, mean, &report));
   /* variants begin with what is settled, bit for bit, and stay with it where nothing moves */
   OK(um_model_thermal_solution_create(context, run.model, run.tables, run.heat, 1.0, &again));
   for (size_t s = 0; s < x->nsurface; s++)
-    assert_true(again->setting.exchange->arriving[s] == x->arriving[s]);
+    assert_true(again->solver.exchange->arriving[s] == x->arriving[s]);
   um_model_thermal_solution_destroy(context, &again);
   OK(um_thermal_exchange_renew(context, network, run.tables->view_factors, NULL, mean, 0.0, x,
                                &change));

@@ -65,8 +65,8 @@ static void automatic(void **state)
   for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
     struct heat_run run =
         heat_compute(LIST(BOX, c[i].spin, "thermal.start=isothermal", c[i].change), NONE, NONE);
-    if ((run.tables->turn_period == 5.0) != c[i].averaged)
-      fail_msg("%s, %s: turn of %g s", c[i].spin, c[i].change, run.tables->turn_period);
+    if ((run.tables->spin_period == 5.0) != c[i].averaged)
+      fail_msg("%s, %s: turn of %g s", c[i].spin, c[i].change, run.tables->spin_period);
     heat_release(&run);
   }
 }

@@ -34,12 +34,12 @@ static enum um_status turned(void *self, size_t row, double before, struct um_qu
   return UM_OK;
 }
 
-static struct um_irradiation_loads *trace(const struct help_satellite *s, bool ripple)
+static struct um_irradiation_loads *trace(const struct help_satellite *s, bool variation)
 {
   struct um_environment_sample sample[ROWS];
   struct um_irradiation_loads *loads = NULL;
-  struct um_irradiation_turn turn = {
-      .n = NODES, .period = PERIOD, .ripple = ripple, .attitude = turned};
+  struct um_irradiation_spin spin = {
+      .n = NODES, .period = PERIOD, .variation = variation, .attitude = turned};
   for (size_t k = 0; k < ROWS; k++)
     sample[k] = (struct um_environment_sample){.t_tai = 10.0 * (double)k,
                                                .r = {-1e9, 0.0, 0.0},
@@ -48,7 +48,7 @@ static struct um_irradiation_loads *trace(const struct help_satellite *s, bool r
                                                .pole = {0.0, 0.0, 1.0},
                                                .sunlit_fraction = 1.0,
                                                .q = {1.0, 0.0, 0.0, 0.0}};
-  const struct um_irradiation_loads_options options = {.nsample = 1, .turn = &turn};
+  const struct um_irradiation_loads_options options = {.nsample = 1, .spin = &spin};
   OK(um_irradiation_loads_make(help_context, s->geometry, &environment, sample, ROWS, NULL, 0,
                                &options, &loads));
   return loads;
@@ -120,11 +120,11 @@ static void test_ripple(void **state)
     double sine = fabs(x) < 0.5 * UM_PI ? sin(x) : x > 0.0 ? 1.0 : -1.0;
     double expected = PERIOD / (2.0 * UM_PI) * c * (sine - x / UM_PI);
     for (size_t k = 0; k < ROWS; k++)
-      NEAR("ripple", (double)loads->sun[k * mesh->nsurface + i], expected, PERIOD * WORST);
+      NEAR("variation", (double)loads->sun[k * mesh->nsurface + i], expected, PERIOD * WORST);
     largest = fmax(largest, fabs(expected) * 2.0 * UM_PI / PERIOD);
   }
-  /* half the swing of what the bound of thermal/solver/ripple.h takes as 0.55 */
-  NEAR("swing", largest, 0.55, 0.01);
+  /* half the range of what the bound of thermal/solver/spin_variation.h takes as 0.55 */
+  NEAR("range", largest, 0.55, 0.01);
   um_irradiation_loads_destroy(help_context, &loads);
   um_geometry_pose_destroy(help_context, &pose);
   help_end(&s);
@@ -133,5 +133,5 @@ static void test_ripple(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_mean), cmocka_unit_test(test_ripple)};
-  return cmocka_run_group_tests_name("irradiation_turn", tests, setup, help_teardown);
+  return cmocka_run_group_tests_name("irradiation_spin_averaged", tests, setup, help_teardown);
 }

@@ -58,7 +58,7 @@ static enum um_status group_copy(struct um_thermal_builder *b, size_t part, uint
   return back == NONE ? UM_OK : copy(b, part, back, &b->group_back[group]);
 }
 
-enum um_status um_thermal_graft_assemble(struct um_thermal_builder *b, size_t part)
+enum um_status um_thermal_node_model_assemble(struct um_thermal_builder *b, size_t part)
 {
   const struct um_thermal_part_spec *spec = b->part[part];
   for (size_t g = 0; g < spec->ngroup; g++) UM_TRY(group_copy(b, part, spec->groups[g].group));
@@ -97,7 +97,7 @@ static enum um_status places_of(const struct um_thermal_builder *b, size_t part,
   return UM_OK;
 }
 
-enum um_status um_thermal_graft_links(struct um_thermal_builder *b, size_t part)
+enum um_status um_thermal_node_model_links(struct um_thermal_builder *b, size_t part)
 {
   enum um_status status;
   const struct um_thermal_network *network = b->part[part]->network;

@@ -1,12 +1,12 @@
-/* See ripple.h. */
-#include "thermal/solver/ripple.h"
+/* See spin_variation.h. */
+#include "thermal/solver/spin_variation.h"
 
 #include <math.h>
 
 #include "base/core/constants.h"
 #include "thermal/solver/load_row_impl.h"
 
-#define HALF_WAVE   0.55  /* half the swing of the integral of max(cos, 0) - 1/pi over the angle */
+#define HALF_WAVE   0.55  /* half the range of the integral of max(cos, 0) - 1/pi over the angle */
 #define TEMPERATURE 300.0 /* at which what a node gives away is taken [K] */
 
 /* What surfaces bring and take: q [nnode] [W], g [nnode] [W/K]. */
@@ -36,7 +36,7 @@ static void links_add(const struct um_thermal_link *link, size_t n, double facto
 }
 
 static void worst_find(const struct um_thermal_network *network, double period, const double *q,
-                       const double *g, struct um_thermal_ripple *out)
+                       const double *g, struct um_thermal_spin_variation *out)
 {
   for (size_t i = 0; i < network->nnode; i++) {
     const struct um_thermal_network_node *node = &network->node[i];
@@ -52,14 +52,15 @@ static void worst_find(const struct um_thermal_network *network, double period, 
   }
 }
 
-enum um_status um_thermal_ripple_bound(struct um_context *context,
-                                       const struct um_thermal_network *network, double period,
-                                       double sun, double albedo, double longwave,
-                                       struct um_thermal_ripple *out)
+enum um_status um_thermal_spin_variation_bound(struct um_context *context,
+                                               const struct um_thermal_network *network,
+                                               double period, double sun, double albedo,
+                                               double longwave,
+                                               struct um_thermal_spin_variation *out)
 {
   const double slope = 4.0 * UM_STEFAN_BOLTZMANN * TEMPERATURE * TEMPERATURE * TEMPERATURE;
   double *q = NULL;
-  *out = (struct um_thermal_ripple){0.0, 0.0, 0};
+  *out = (struct um_thermal_spin_variation){0.0, 0.0, 0};
   UM_TRY(um_core_allocate(context, 2 * network->nnode, sizeof *q, &q));
   double *g = q + network->nnode;
   surfaces_add(network, sun * (1.0 + albedo), longwave, slope, q, g);
@@ -70,17 +71,17 @@ enum um_status um_thermal_ripple_bound(struct um_context *context,
   return UM_OK;
 }
 
-enum um_status um_thermal_ripple_add(struct um_context *context,
-                                     const struct um_thermal_network *network,
-                                     const struct um_irradiation_loads *ripple,
-                                     const struct um_thermal_solve_options *options, size_t row,
-                                     double factor, double *temperature)
+enum um_status um_thermal_spin_variation_add(struct um_context *context,
+                                             const struct um_thermal_network *network,
+                                             const struct um_irradiation_loads *variation,
+                                             const struct um_thermal_solve_options *options,
+                                             size_t row, double factor, double *temperature)
 {
   size_t n = network->nnode;
-  double *sun = NULL, lit = ripple->irradiance[row] * ripple->sunlit[row];
+  double *sun = NULL, lit = variation->irradiance[row] * variation->sunlit[row];
   UM_TRY(um_core_allocate(context, 4 * n, sizeof *sun, &sun));
   double *albedo = sun + n, *planet = albedo + n, *gas = planet + n;
-  um_thermal_load_row_sum(network, ripple, NULL, NULL, row, sun, albedo, planet, gas);
+  um_thermal_load_row_sum(network, variation, NULL, NULL, row, sun, albedo, planet, gas);
   for (size_t i = 0; i < n; i++) {
     const struct um_thermal_network_node *node = &network->node[i];
     if (node->kind != UM_NODE_DIFFUSIVE || !(node->capacity > 0.0)) continue;

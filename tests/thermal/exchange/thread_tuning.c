@@ -2,7 +2,7 @@
  * and what is kept between them. */
 #include "tests/thermal/network_help.h"
 #include "thermal/exchange/exchange_group.h"
-#include "thermal/exchange/exchange_pace_group.h"
+#include "thermal/exchange/thread_tuning_group.h"
 
 #define PATCHES 160 /* 25,600 entries: enough to be worth threads */
 #define CALLS   2000
@@ -26,15 +26,15 @@ static void test_same_bits(void **state)
   const struct um_thermal_exchange exchange = {.npatch = PATCHES, .noutside = PATCHES, .npose = 1};
   const struct um_thermal_mix mix = {.n = 1, .pose = {0}, .weight = {1.0}};
   bool together = false;
-  struct um_thermal_pace pace = {.threads = 3};
+  struct um_thermal_thread_tuning tuning = {.threads = 3};
   for (size_t call = 0; call < CALLS; call++) {
     for (size_t p = 0; p < PATCHES; p++) x[p] = value_of(p + call);
     um_thermal_exchange_apply(&exchange, &between, &mix, 1, x, one);
-    um_thermal_pace_apply(&pace, &exchange, &between, &mix, x, many);
+    um_thermal_thread_tuning_apply(&tuning, &exchange, &between, &mix, x, many);
     assert_memory_equal(one, many, sizeof one);
     um_thermal_exchange_apply(&exchange, &between, &mix, 3, x, many);
     assert_memory_equal(one, many, sizeof one);
-    together = together || pace.shared > 0.0;
+    together = together || tuning.shared > 0.0;
   }
   assert_true(together); /* the trials were made */
   double sum = 0.0;

@@ -1,5 +1,5 @@
 /* How the heat of a model is solved. */
-#include "model/run/heat_setting_impl.h"
+#include "model/run/solver_options_impl.h"
 
 #include "model/geometry/mirrors.h"
 #include "model/geometry/thermal_equal_group.h"
@@ -33,37 +33,38 @@ bool um_model_exchange_equal(const struct um_model *a, const struct um_model *b)
   return x.infrared == y.infrared && x.solar == y.solar && um_model_mirrors_equal(a, b);
 }
 
-/* Is the radiation between surfaces that of a setting which is at hand? aging: of this model. */
+/* Is the radiation between surfaces that of a model which is at hand? aging: of this model. */
 static bool exchange_is_compatible(const struct um_model_heat_like *like,
                                    const struct um_model *model,
                                    const struct um_model_tables *tables,
                                    const struct um_model_aging *aging)
 {
-  if (like->setting->options.exchange == NULL) return false;
+  if (like->solver->options.exchange == NULL) return false;
   return um_model_exchange_equal(like->model, model) &&
-         um_model_aging_equal(like->setting->aging, aging) &&
+         um_model_aging_equal(like->solver->aging, aging) &&
          um_thermal_network_optics_equal(like->model->body->network, model->body->network) &&
          um_model_view_factors_equal(like->tables->view_factors, tables->view_factors) &&
          um_model_loads_equal(like->tables->loads, tables->loads);
 }
 
-/* Do surfaces reflect the same sunlight to each other as those of a setting that is at hand? */
+/* Do surfaces reflect the same sunlight to each other as those of a model that is at hand? */
 static bool sunlight_equal(const struct um_model_heat_like *like, const struct um_model *model,
                            const struct um_model_tables *tables,
-                           const struct um_model_heat_setting *setting)
+                           const struct um_model_solver_options *solver)
 {
   return like->tables == tables &&
          um_model_exchange_options(like->model).solar == um_model_exchange_options(model).solar &&
          um_model_mirrors_equal_in_sunlight(like->model, model) &&
-         um_model_aging_equal(like->setting->aging, setting->aging) &&
+         um_model_aging_equal(like->solver->aging, solver->aging) &&
          um_thermal_network_solar_equal(like->model->body->network, model->body->network);
 }
 
 /* All but the exchange. */
 static enum um_status begin(struct um_context *context, const struct um_model *model,
-                            const struct um_model_tables *tables, struct um_model_heat_setting *out)
+                            const struct um_model_tables *tables,
+                            struct um_model_solver_options *out)
 {
-  *out = (struct um_model_heat_setting){.options = um_model_heat_options(model)};
+  *out = (struct um_model_solver_options){.options = um_model_heat_options(model)};
   if (!tables->points) UM_TRY(um_model_aging_create(context, model, tables->loads, &out->aging));
   if (out->aging != NULL) out->options.aging = &out->aging->table;
   return UM_OK;
@@ -72,12 +73,12 @@ static enum um_status begin(struct um_context *context, const struct um_model *m
 static enum um_status exchange_make(struct um_context *context, const struct um_model *model,
                                     const struct um_model_tables *tables,
                                     const struct um_model_heat_like *like,
-                                    struct um_model_heat_setting *out)
+                                    struct um_model_solver_options *out)
 {
   struct um_thermal_exchange_options exchange = um_model_exchange_options(model);
   if (tables->view_factors == NULL) return UM_OK;
   exchange.aging = out->options.aging;
-  if (like != NULL) exchange.like = like->setting->options.exchange;
+  if (like != NULL) exchange.like = like->solver->options.exchange;
   if (exchange.like != NULL) exchange.like_sunlight = sunlight_equal(like, model, tables, out);
   struct um_model_lobes lobes = {0};
   enum um_status status = UM_OK;
@@ -94,35 +95,38 @@ done:
   return status;
 }
 
-enum um_status um_model_heat_setting_make(struct um_context *context, const struct um_model *model,
-                                          const struct um_model_tables *tables,
-                                          const struct um_model_heat_like *like,
-                                          struct um_model_heat_setting *out)
+enum um_status um_model_solver_options_make(struct um_context *context,
+                                            const struct um_model *model,
+                                            const struct um_model_tables *tables,
+                                            const struct um_model_heat_like *like,
+                                            struct um_model_solver_options *out)
 {
   UM_TRY(begin(context, model, tables, out));
   return exchange_make(context, model, tables, like, out);
 }
 
-enum um_status um_model_heat_setting_moved(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_tables *tables,
-                                           const struct um_model_heat_like *like,
-                                           struct um_model_heat_setting *out)
+enum um_status um_model_solver_options_moved(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model_tables *tables,
+                                             const struct um_model_heat_like *like,
+                                             struct um_model_solver_options *out)
 {
   UM_TRY(begin(context, model, tables, out));
   if (!exchange_is_compatible(like, model, tables, out->aging))
     return exchange_make(context, model, tables, like, out);
-  out->options.exchange = like->setting->options.exchange;
+  out->options.exchange = like->solver->options.exchange;
   return UM_OK;
 }
 
-enum um_status um_model_heat_setting_renew(struct um_context *context, const struct um_model *model,
-                                           const struct um_model_tables *tables,
-                                           const double *temperature, double tolerance, int round,
-                                           struct um_model_heat_setting *setting, double *change)
+enum um_status um_model_solver_options_renew(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model_tables *tables,
+                                             const double *temperature, double tolerance, int round,
+                                             struct um_model_solver_options *solver, double *change)
 {
   UM_TRY(um_thermal_exchange_renew(context, model->body->network, tables->view_factors,
-                                   setting->options.aging, temperature, tolerance,
-                                   setting->exchange, change));
+                                   solver->options.aging, temperature, tolerance, solver->exchange,
+                                   change));
   if (*change <= tolerance || round < ROUNDS) return UM_OK;
   return um_core_fail(context, UM_ERR_NUMERIC,
                       "emittances of surfaces that see each other do not settle with their "
@@ -130,8 +134,9 @@ enum um_status um_model_heat_setting_renew(struct um_context *context, const str
                       round, *change, tolerance);
 }
 
-void um_model_heat_setting_clear(struct um_context *context, struct um_model_heat_setting *setting)
+void um_model_solver_options_clear(struct um_context *context,
+                                   struct um_model_solver_options *solver)
 {
-  um_model_aging_destroy(context, &setting->aging);
-  um_thermal_exchange_destroy(context, &setting->exchange);
+  um_model_aging_destroy(context, &solver->aging);
+  um_thermal_exchange_destroy(context, &solver->exchange);
 }

@@ -10,13 +10,13 @@
 #include "base/core/golden.h"
 #include "thermal/loads/loads_impl.h"
 
-void um_irradiation_turn_node(const struct um_irradiation_turn *turn, size_t k, size_t j, double *u,
+void um_irradiation_spin_node(const struct um_irradiation_spin *spin, size_t k, size_t j, double *u,
                               double *weight)
 {
-  double n = (double)turn->n, shift = fmod(0.5 + UM_GOLDEN * (double)k, 1.0);
-  double share = ((double)j + (turn->ripple ? 0.5 : shift)) / n;
-  *u = share * turn->period;
-  *weight = turn->ripple ? turn->period * (share - 0.5) / n : 1.0 / n;
+  double n = (double)spin->n, shift = fmod(0.5 + UM_GOLDEN * (double)k, 1.0);
+  double share = ((double)j + (spin->variation ? 0.5 : shift)) / n;
+  *u = share * spin->period;
+  *weight = spin->variation ? spin->period * (share - 0.5) / n : 1.0 / n;
 }
 
 /* What a direct load of a cosine adds to the four nodes around it: Lagrange's weights. */
@@ -37,7 +37,7 @@ static void add(float *to, double weight, const float *from, size_t n)
   for (size_t s = 0; to != NULL && s < n; s++) to[s] += (float)(weight * (double)from[s]);
 }
 
-void um_irradiation_turn_add(const struct um_irradiation_loads *loads, size_t k, double weight,
+void um_irradiation_spin_add(const struct um_irradiation_loads *loads, size_t k, double weight,
                              const struct um_irradiation_row *one)
 {
   struct um_irradiation_row to = um_irradiation_row_of(loads, k);
