@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/csv.h"
 #include "effects/effects.h"
 #include "model/scenario/scenario_read.h"
 
@@ -15,9 +14,8 @@ static enum um_status check(struct um_context *context, const struct um_library_
 {
   struct um_document *document = NULL;
   const struct um_scenario *scenario;
-  UM_TRY(um_model_scenario_read(context, source->path, source->text,
-                                (const char *const *)source->override, source->noverride, &document,
-                                &scenario));
+  UM_TRY(um_model_scenario_read(context, source->path, source->text, NULL, 0, source->set,
+                                source->nset, &document, &scenario));
   um_document_destroy(&document);
   return UM_OK;
 }
@@ -29,8 +27,8 @@ static enum um_status read(struct um_context *context, const char *path, const c
   const struct um_scenario *scenario;
   if (path == NULL && text == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "no scenario; accepted: a path, or a text");
-  UM_TRY(um_model_scenario_read(context, path != NULL ? path : IN_MEMORY, text, NULL, 0, &document,
-                                &scenario));
+  UM_TRY(um_model_scenario_read(context, path != NULL ? path : IN_MEMORY, text, NULL, 0, NULL, 0,
+                                &document, &scenario));
   enum um_status status = um_core_strdup(context, scenario->at.file, &source->path);
   if (status == UM_OK) status = um_document_text(context, document, &source->text);
   um_document_destroy(&document);
@@ -63,37 +61,39 @@ void umbra_scenario_close(struct umbra_scenario **scenario)
   um_library_session_drop(&session);
 }
 
-static enum um_status set(struct um_context *context, struct um_library_source *source,
-                          const char *key, const char *value)
+enum um_status um_library_take_key(struct um_context *context, const char *key, double number,
+                                   const char *text, struct um_document_change *out)
 {
-  char *text;
   if (strchr(key, '=') != NULL)
     return um_core_fail(context, UM_ERR_INPUT, "'%s': no key holds '='", key);
-  UM_TRY(um_core_asprintf(context, &text, "%s=%s", key, value));
-  enum um_status status = um_library_source_add_override(context, source, text);
-  um_core_free(context, text);
-  UM_TRY(status);
-  status = check(context, source);
-  if (status != UM_OK) um_library_source_drop_override(context, source);
+  if (text == NULL && !isfinite(number))
+    return um_core_fail(context, UM_ERR_INPUT, "%s: %g; accepted: a finite number", key, number);
+  *out = (struct um_document_change){
+      .key = key, .number = text == NULL ? number : (double)NAN, .text = text, .as_written = true};
+  return UM_OK;
+}
+
+static enum um_status set(struct um_context *context, struct um_library_source *source,
+                          const char *key, double number, const char *text)
+{
+  struct um_document_change change;
+  UM_TRY(um_library_take_key(context, key, number, text, &change));
+  UM_TRY(um_library_source_add_set(context, source, &change));
+  enum um_status status = check(context, source);
+  if (status != UM_OK) um_library_source_drop_set(context, source);
   return status;
 }
 
 enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
                                      const char *key, const char *value)
 {
-  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, value));
+  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, 0.0, value));
 }
 
 enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,
                                             const char *key, double value)
 {
-  struct um_context *context = um_library_begin(umbra);
-  char text[32];
-  if (!isfinite(value))
-    return um_library_status(
-        um_core_fail(context, UM_ERR_INPUT, "%s: %g; accepted: a finite number", key, value));
-  um_core_number_text(value, text);
-  return um_library_status(set(context, &scenario->source, key, text));
+  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, value, NULL));
 }
 
 static enum um_status check_value(struct um_context *context, const struct um_effect *effect,

@@ -10,6 +10,9 @@ struct umbra_scenario {
   struct um_library_source source;
 };
 
+/* A key with a number, text NULL, or with YAML text, which the change borrows. UM_ERR_INPUT. */
+enum um_status um_library_take_key(struct um_context *context, const char *key, double number,
+                                   const char *text, struct um_document_change *out);
 /* Is it a change that its effect can take? UM_ERR_INPUT. */
 enum um_status um_library_check_effect_change(struct um_context *context,
                                               const struct umbra_effect_change *change);

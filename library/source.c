@@ -1,19 +1,32 @@
 /* A scenario as a caller has it: text and changes. */
 #include "library/source_impl.h"
 
-enum um_status um_library_source_add_override(struct um_context *context,
-                                              struct um_library_source *source, const char *text)
+static enum um_status copy_text(struct um_context *context, const char *text, const char **out)
 {
-  UM_TRY(um_core_reallocate(context, source->noverride + 1, sizeof *source->override,
-                            &source->override));
-  UM_TRY(um_core_strdup(context, text, &source->override[source->noverride]));
-  source->noverride++;
+  char *copy = NULL;
+  if (text != NULL) UM_TRY(um_core_strdup(context, text, &copy));
+  *out = copy;
   return UM_OK;
 }
 
-void um_library_source_drop_override(struct um_context *context, struct um_library_source *source)
+enum um_status um_library_source_add_set(struct um_context *context,
+                                         struct um_library_source *source,
+                                         const struct um_document_change *set)
 {
-  um_core_free(context, source->override[--source->noverride]);
+  UM_TRY(um_core_reallocate(context, source->nset + 1, sizeof *source->set, &source->set));
+  struct um_document_change *to = &source->set[source->nset++];
+  *to = *set;
+  to->key = to->text = NULL;
+  enum um_status status = copy_text(context, set->key, &to->key);
+  if (status == UM_OK) status = copy_text(context, set->text, &to->text);
+  if (status != UM_OK) um_library_source_drop_set(context, source);
+  return status;
+}
+
+void um_library_source_drop_set(struct um_context *context, struct um_library_source *source)
+{
+  const struct um_document_change *last = &source->set[--source->nset];
+  UM_FREE(context, (void *)last->key, (void *)last->text);
 }
 
 static void change_release(struct um_context *context, struct um_model_change *change)
@@ -22,14 +35,6 @@ static void change_release(struct um_context *context, struct um_model_change *c
     um_core_free(context, (void *)change->parameter[p]);
   UM_FREE(context, (void *)change->parameter, (void *)change->value, (void *)change->effect,
           (void *)change->target);
-}
-
-static enum um_status copy_text(struct um_context *context, const char *text, const char **out)
-{
-  char *copy = NULL;
-  if (text != NULL) UM_TRY(um_core_strdup(context, text, &copy));
-  *out = copy;
-  return UM_OK;
 }
 
 /* to: all zero before; released by the caller after a failure. */
@@ -74,8 +79,8 @@ enum um_status um_library_source_copy(struct um_context *context,
   *out = (struct um_library_source){0};
   UM_TRY(um_core_strdup(context, source->path, &out->path));
   UM_TRY(um_core_strdup(context, source->text, &out->text));
-  for (size_t i = 0; i < source->noverride; i++)
-    UM_TRY(um_library_source_add_override(context, out, source->override[i]));
+  for (size_t i = 0; i < source->nset; i++)
+    UM_TRY(um_library_source_add_set(context, out, &source->set[i]));
   for (size_t i = 0; i < source->nchange; i++)
     UM_TRY(um_library_source_add_change(context, out, &source->change[i]));
   return UM_OK;
@@ -83,17 +88,17 @@ enum um_status um_library_source_copy(struct um_context *context,
 
 void um_library_source_release(struct um_context *context, struct um_library_source *source)
 {
-  while (source->noverride > 0) um_library_source_drop_override(context, source);
+  while (source->nset > 0) um_library_source_drop_set(context, source);
   for (size_t i = 0; i < source->nchange; i++) change_release(context, &source->change[i]);
-  UM_FREE(context, source->override, source->change, source->path, source->text);
+  UM_FREE(context, source->set, source->change, source->path, source->text);
   *source = (struct um_library_source){0};
 }
 
 struct um_model_options um_library_source_options(const struct um_library_source *source)
 {
   return (struct um_model_options){.text = source->text,
-                                   .overrides = (const char *const *)source->override,
-                                   .noverride = source->noverride,
+                                   .set = source->set,
+                                   .nset = source->nset,
                                    .change = source->change,
                                    .nchange = source->nchange};
 }

@@ -6,21 +6,23 @@
 
 /* All zero is empty. Texts are owned. */
 struct um_library_source {
-  char *path, *text; /* text: the YAML */
-  char **override;   /* [noverride] "key=value" */
-  size_t noverride;
+  char *path, *text;              /* text: the YAML */
+  struct um_document_change *set; /* [nset] keys; their texts are owned */
+  size_t nset;
   struct um_model_change *change; /* [nchange] */
   size_t nchange;
 };
 
-enum um_status um_library_source_add_override(struct um_context *context,
-                                              struct um_library_source *source, const char *text);
+/* Takes copies of its texts. */
+enum um_status um_library_source_add_set(struct um_context *context,
+                                         struct um_library_source *source,
+                                         const struct um_document_change *set);
 /* Takes copies of everything that the change borrows. */
 enum um_status um_library_source_add_change(struct um_context *context,
                                             struct um_library_source *source,
                                             const struct um_model_change *change);
 /* Take the last one off. */
-void um_library_source_drop_override(struct um_context *context, struct um_library_source *source);
+void um_library_source_drop_set(struct um_context *context, struct um_library_source *source);
 /* out: released by the caller, also after a failure. */
 enum um_status um_library_source_copy(struct um_context *context,
                                       const struct um_library_source *source,

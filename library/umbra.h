@@ -92,8 +92,9 @@ struct umbra_scenario;
 enum umbra_status umbra_scenario_read(struct umbra *umbra, const char *path, const char *text,
                                       struct umbra_scenario **out);
 /* Set a key, "parts.bus.interior.power_W"; names address elements of lists, integers their
- * positions; missing mappings are made. The value is YAML text, or a number. Later changes go
- * before earlier ones. UMBRA_ERR_INPUT: no such key, or a value that it does not accept. */
+ * positions; missing mappings are made. The value is YAML text, or a number, which arrives with all
+ * its bits; a time is text. Later changes go before earlier ones. UMBRA_ERR_INPUT: no such key, or
+ * a value that it does not accept. */
 enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
                                      const char *key, const char *value);
 enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,

@@ -139,12 +139,8 @@ enum um_status um_library_changes_take(struct um_context *context, const struct 
       return um_core_fail(context, UM_ERR_INPUT, "change %zu; accepted: a key or an effect", i + 1);
     if (c->effect != NULL)
       UM_TRY(take_effect(context, model, c->effect, to));
-    else if (c->text == NULL && !isfinite(c->number))
-      return um_core_fail(context, UM_ERR_INPUT, "%s: %g; accepted: a finite number", c->key,
-                          c->number);
     else
-      to->key[to->all.nkey++] =
-          (struct um_document_change){c->key, c->text == NULL ? c->number : (double)NAN, c->text};
+      UM_TRY(um_library_take_key(context, c->key, c->number, c->text, &to->key[to->all.nkey++]));
   }
   return UM_OK;
 }

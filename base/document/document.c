@@ -34,8 +34,8 @@ bool um_document_node_equal(const struct um_node *a, const struct um_node *b)
   if ((a->key == NULL) != (b->key == NULL)) return false;
   if (a->key != NULL && strcmp(a->key, b->key) != 0) return false;
   if (a->kind == UM_NODE_SCALAR && (a->plain != b->plain || a->typed != b->typed)) return false;
-  if (a->kind == UM_NODE_SCALAR &&
-      (a->typed ? a->number != b->number : strcmp(a->text, b->text) != 0))
+  if (a->kind == UM_NODE_SCALAR && (a->typed ? memcmp(&a->number, &b->number, sizeof a->number) != 0
+                                             : strcmp(a->text, b->text) != 0))
     return false;
   const struct um_node *p = a->first, *q = b->first;
   for (; p != NULL && q != NULL; p = p->next, q = q->next)
@@ -112,10 +112,17 @@ enum um_status um_document_check_text(struct um_context *context, const char *na
   return UM_OK;
 }
 
+void um_document_keep_origin(struct um_document *document, struct um_document **origin)
+{
+  document->origin = *origin;
+  *origin = NULL;
+}
+
 void um_document_destroy(struct um_document **document)
 {
   if (document == NULL || *document == NULL) return;
   struct um_context *context = (*document)->context;
+  um_document_destroy(&(*document)->origin);
   um_core_arena_release(context, &(*document)->memory);
   um_core_free(context, *document);
   *document = NULL;

@@ -20,6 +20,7 @@ struct um_node {
   struct um_mark at;
   const char *text; /* of a scalar */
   bool typed;       /* a scalar whose value is `number`, and `text` how it is written */
+  bool as_written;  /* of a typed one: a parsed field reads the text */
   double number;
   bool plain;                 /* a scalar without quotes that is not a block */
   bool flow;                  /* a collection in brackets */
@@ -39,7 +40,8 @@ struct um_document {
   const char *source; /* text as read */
   size_t source_length;
   struct um_node *root;
-  size_t set_count; /* overrides applied */
+  size_t set_count;           /* overrides applied */
+  struct um_document *origin; /* owned, of a changed one; NULL: none */
 };
 
 /* Valid UTF-8 without control characters, or UM_ERR_INPUT with the line. */

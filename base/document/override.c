@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/core/csv.h"
 #include "base/core/words.h"
 #include "base/document/document_impl.h"
 
@@ -219,6 +220,15 @@ enum um_status um_document_set(struct um_document *document, const char *overrid
   return set_text(document, key, value);
 }
 
+/* Digits that give the number back, to the sign of -0. */
+static void write_number(double number, char out[32])
+{
+  if (isfinite(number) && number != 0.0)
+    um_core_number_text(number, out);
+  else
+    snprintf(out, 32, "%g", number);
+}
+
 enum um_status um_document_set_change(struct um_document *document,
                                       const struct um_document_change *change)
 {
@@ -226,7 +236,7 @@ enum um_status um_document_set_change(struct um_document *document,
   const char *key, *text = change->text;
   struct um_node *target = document->root;
   UM_TRY(um_document_copy_text(document, change->key, strlen(change->key), &key));
-  if (text == NULL) snprintf(digits, sizeof digits, "%.17g", change->number);
+  write_number(change->number, digits);
   if (text == NULL) text = digits;
   UM_TRY(um_document_copy_text(document, text, strlen(text), &text));
   if (isnan(change->number)) return set_text(document, key, text);
@@ -236,6 +246,7 @@ enum um_status um_document_set_change(struct um_document *document,
                                 .at.file = "--set",
                                 .text = text,
                                 .typed = true,
+                                .as_written = change->as_written,
                                 .number = change->number,
                                 .plain = true,
                                 .set = true};

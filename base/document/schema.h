@@ -125,7 +125,9 @@ struct um_document_change {
   const char *key; /* path of an override */
   double number;   /* in the unit of the field; of a parsed one in that of what it is parsed into (a
                       UTC: t_tai [s]); NaN: `text` is YAML */
-  const char *text; /* how the number is written in um_document_text; NULL: 17 digits */
+  const char *text; /* how the number is written in um_document_text; NULL: as few digits as give it
+                       back, the sign of -0 too */
+  bool as_written;  /* a parsed field reads the number from its text, as it does in a file */
 };
 /* A document with changes, from the tree of `origin`: nothing is read or parsed but YAML texts of
  * the changes. `origin` outlives it. Checks, binding and errors of um_document_read; a field of
@@ -134,6 +136,8 @@ enum um_status um_document_change(struct um_context *context, const struct um_do
                                   const struct um_schema_object *schema,
                                   const struct um_document_change *change, size_t nchange,
                                   struct um_document **out, void **root);
+/* A changed document takes its origin over, which goes with it; *origin is NULL behind it. */
+void um_document_keep_origin(struct um_document *document, struct um_document **origin);
 void um_document_destroy(struct um_document **document);
 /* The document as YAML text after its overrides, comments kept where libfyaml keeps them; the
  * caller frees. Used for the copy in results and for improved scenarios. */

@@ -154,7 +154,7 @@ static enum um_status bind_parsed(struct binder *b, const struct um_schema_field
 {
   if (node->kind != UM_NODE_SCALAR) return fail_type(b, field, node);
   char why[256] = "";
-  if (node->typed && field->length == sizeof node->number) {
+  if (node->typed && !node->as_written && field->length == sizeof node->number) {
     memcpy(out, &node->number, sizeof node->number);
     return UM_OK;
   }

@@ -27,11 +27,11 @@ static enum um_status create_sky(struct um_context *context, const char *path,
 {
   enum um_status status;
   struct um_model *model = NULL;
+  static const struct um_model_options plain;
+  const struct um_model_options *read = options != NULL ? options : &plain;
   UM_TRY(um_core_allocate(context, 1, sizeof *model, &model));
-  UM_CHECK(um_model_scenario_read(context, path, options == NULL ? NULL : options->text,
-                                  options == NULL ? NULL : options->overrides,
-                                  options == NULL ? 0 : options->noverride, &model->document,
-                                  &model->scenario));
+  UM_CHECK(um_model_scenario_read(context, path, read->text, read->overrides, read->noverride,
+                                  read->set, read->nset, &model->document, &model->scenario));
   UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
   UM_CHECK(um_model_build_effects(context, model, options));
   UM_CHECK(um_model_build_environment(context, model));

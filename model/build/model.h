@@ -45,6 +45,8 @@ struct um_model_options {
                        names of files lead all the same; NULL: read */
   const char *const *overrides; /* "key.path=value" */
   size_t noverride;
+  const struct um_document_change *set; /* [nset] behind those, of a scenario good without */
+  size_t nset;
   const char *const *with; /* "effect[:target]" */
   size_t nwith;
   const char *const *without;

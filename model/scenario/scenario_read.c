@@ -84,10 +84,9 @@ static enum um_status point_to_shipped(struct um_context *context, const char *p
   return status;
 }
 
-enum um_status um_model_scenario_read(struct um_context *context, const char *path,
-                                      const char *text, const char *const *overrides,
-                                      size_t noverride, struct um_document **document,
-                                      const struct um_scenario **out)
+static enum um_status read_plain(struct um_context *context, const char *path, const char *text,
+                                 const char *const *overrides, size_t noverride,
+                                 struct um_document **document, const struct um_scenario **out)
 {
   struct stat info;
   char *file = NULL;
@@ -129,5 +128,21 @@ enum um_status um_model_scenario_change(struct um_context *context,
     *out = root;
   else
     um_document_destroy(document);
+  return status;
+}
+
+enum um_status um_model_scenario_read(struct um_context *context, const char *path,
+                                      const char *text, const char *const *overrides,
+                                      size_t noverride, const struct um_document_change *change,
+                                      size_t nchange, struct um_document **document,
+                                      const struct um_scenario **out)
+{
+  struct um_document *origin;
+  UM_TRY(read_plain(context, path, text, overrides, noverride, document, out));
+  if (nchange == 0) return UM_OK;
+  origin = *document;
+  enum um_status status = um_model_scenario_change(context, origin, change, nchange, document, out);
+  if (status == UM_OK) um_document_keep_origin(*document, &origin);
+  um_document_destroy(&origin);
   return status;
 }

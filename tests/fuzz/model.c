@@ -190,8 +190,8 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
   struct um_document *document = NULL;
   const struct um_scenario *scenario;
   struct um_model *model = NULL;
-  if (um_fuzz_good(context,
-                   um_model_scenario_read(context, path, NULL, set, n, &document, &scenario)) &&
+  if (um_fuzz_good(context, um_model_scenario_read(context, path, NULL, set, n, NULL, 0, &document,
+                                                   &scenario)) &&
       builds_fast(scenario) &&
       um_fuzz_good(context, um_model_create(context, path, &options, &model)) && runs_fast(model))
     run_model(context, model);

@@ -572,6 +572,8 @@ static void test_variants_refused(void **state)
   change.key = "environment.albedo";
   change.number = 2.0;
   refused(umbra_variant_run(umbra, variants, &change, 1, &result), UMBRA_ERR_INPUT, "out of range");
+  change.key = "time.start_utc"; /* no clock that counts seconds is meant */
+  refused(umbra_variant_run(umbra, variants, &change, 1, &result), UMBRA_ERR_INPUT, "a UTC time");
   umbra_variants_close(&variants);
   umbra_model_close(&model);
   umbra_scenario_close(&scenario);

@@ -188,7 +188,7 @@ static void test_changes(void **state)
   assert_int_equal(sample->effects.count, 1);
   assert_true(um_document_number(document, "altitude_km") == third);
   assert_true(um_document_number(origin, "altitude_km") == 1.0);
-  expect_text(document, "name: a\naltitude_km: 0.33333333333333331\nverbose: true\n"
+  expect_text(document, "name: a\naltitude_km: 0.3333333333333333\nverbose: true\n"
                         "orbits: 3\ntime: {start: T0+2}\neffects:\n  - {effect: x, target: t}\n");
   expect_text(origin, "name: a\naltitude_km: 1\nverbose: true\ntime: {start: T0+1}\n");
 }
@@ -201,12 +201,14 @@ static void test_changes_refused(void **state)
     struct um_document_change change;
     const char *message;
   } cases[] = {
-      {{"name", 2.0, NULL}, NULL},
-      {{"time.step_s", -1.0, NULL}, "--set: time.step_s: -1 is out of range; accepted: "},
-      {{"altitude_km", INFINITY, NULL}, "--set: altitude_km: 'inf' is not accepted; accepted: "},
-      {{"orbits", 2.5, NULL}, "--set: orbits: '2.5' is not accepted; accepted: "},
-      {{"altitude", 2.0, NULL}, "--set: altitude: unknown key"},
-      {{"name.part", 2.0, NULL}, "--set: name.part: leads into a single value"}};
+      {{.key = "name", .number = 2.0}, NULL},
+      {{.key = "time.step_s", .number = -1.0},
+       "--set: time.step_s: -1 is out of range; accepted: "},
+      {{.key = "altitude_km", .number = INFINITY},
+       "--set: altitude_km: 'inf' is not accepted; accepted: "},
+      {{.key = "orbits", .number = 2.5}, "--set: orbits: '2.5' is not accepted; accepted: "},
+      {{.key = "altitude", .number = 2.0}, "--set: altitude: unknown key"},
+      {{.key = "name.part", .number = 2.0}, "--set: name.part: leads into a single value"}};
   struct um_document *origin = parse("s.yaml", HEAD, NULL, 0), *document;
   void *root;
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -251,7 +251,8 @@ static void test_quantities(void **state)
     put_world(more);
     struct um_document *document;
     const struct um_scenario *scenario;
-    assert_ok(um_model_scenario_read(context, SCENARIO, NULL, NULL, 0, &document, &scenario));
+    assert_ok(
+        um_model_scenario_read(context, SCENARIO, NULL, NULL, 0, NULL, 0, &document, &scenario));
     const struct um_scenario_noise *noise = scenario->measurements->noise.items;
     assert_int_equal(noise[0].quantity, q);
     um_document_destroy(&document);
