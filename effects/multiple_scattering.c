@@ -1,6 +1,6 @@
 /* What one facet of a rough surface throws to another goes on, so that a surface that absorbs
  * nothing reflects everything: with the lobe, f' = s(i) s(o) f, of facets with Smith's masking
- * (materials/passed_on.c); to all sides of other lobes (materials/spectrum.c). Without it that
+ * (materials/compensation.c); to all sides of other lobes (materials/spectrum.c). Without it that
  * light is lost: to 13 % of a surface of alpha 0.5. */
 #include "effects/list_impl.h"
 

@@ -1,7 +1,7 @@
 /* Directional albedo of a record's lobe, for F = 1, at roughnesses that effects may give it.
  *
- * Where facets pass light on (passed_on.c) it is 1, or for a grain as much of it as s brings. That
- * of single scattering: Beckmann's has a table of its own (beckmann_albedo.c). Others are
+ * Where facets pass light on (compensation.c) it is 1, or for a grain as much of it as s brings.
+ * That of single scattering: Beckmann's has a table of its own (beckmann_albedo.c). Others are
  * integrated when the record is read: at the cosines of the spectral grid and at roughnesses of
  * 2^(k/4) times the record's, k = -14 .. 10, at its own to 2e-4, at the others to 1e-3; Catmull-Rom
  * in k, cubic Lagrange in the square root of the cosine, constant beyond. A lobe that an effect
@@ -10,8 +10,8 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "materials/compensation_impl.h"
 #include "materials/lobe_impl.h"
-#include "materials/passed_on_impl.h"
 #include "materials/record_impl.h"
 
 #define COSINES UM_MATERIALS_COSINES
@@ -26,7 +26,7 @@ enum um_status um_materials_albedo_build(struct um_context *context,
   UM_TRY(um_core_allocate(context, SCALES * COSINES, sizeof *record->albedo, &record->albedo));
   for (size_t k = 0; k < SCALES; k++) {
     struct um_materials_lobe lobe = record->lobe;
-    if (kind->masked) lobe.passes_on = false;
+    if (kind->masked) lobe.compensated = false;
     double scale = exp2(0.25 * ((double)k - STATED));
     lobe.alpha *= scale;
     lobe.alpha_across *= scale;
@@ -54,7 +54,7 @@ static double round_about(const struct um_materials_lobe *lobe, double cosine)
   for (int k = 0; k < TURNS; k++) {
     double phi = 0.5 * UM_PI * (k + 0.5) / TURNS;
     struct um_materials_lobe one = *lobe;
-    one.passes_on = false;
+    one.compensated = false;
     one.alpha = one.alpha_across = hypot(lobe->alpha * cos(phi), lobe->alpha_across * sin(phi));
     sum += um_materials_lobe_albedo(&one, cosine) / TURNS;
   }
@@ -88,6 +88,6 @@ double um_materials_albedo(const struct um_materials_record *record,
                            const struct um_materials_lobe *lobe, double cosine)
 {
   if (lobe->kind == NULL || um_materials_lobe_is_whole(lobe)) return 1.0;
-  double share = um_materials_passed_share(lobe);
+  double share = um_materials_compensation_share(lobe);
   return share + (1.0 - share) * of_single_scattering(record, lobe, cosine);
 }

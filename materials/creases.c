@@ -17,7 +17,7 @@ struct um_materials_lobe um_materials_lobe_tilted(const struct um_materials_lobe
   if (!(slope_variance > 0.0) || lobe->kind == NULL) return out;
   if (lobe->kind->delta) {
     out = (struct um_materials_lobe){.kind = &um_materials_lobe_beckmann,
-                                     .passes_on = lobe->passes_on};
+                                     .compensated = lobe->compensated};
   } else if (!lobe->kind->rough) {
     return out;
   }

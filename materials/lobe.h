@@ -29,8 +29,8 @@ struct um_materials_lobe {
   double tilted; /* of kind mixture: mean square slope that creases add to both, twice that per axis
                     [1] */
   const struct um_materials_measured *measured; /* of kind measured, borrowed; NULL of others */
-  bool passes_on; /* facets pass light on to each other, nothing of it is lost; else f is single
-                     scattering. Kinds without Smith's masking are as they are (passed_on.c) */
+  bool compensated; /* facets pass light on to each other, nothing of it is lost; else f is single
+                       scattering. Kinds without Smith's masking are as they are (compensation.c) */
 };
 
 /* Two lobes at once, f = share f_1 + (1 - share) f_2, each alike all round. */

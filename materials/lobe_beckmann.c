@@ -67,8 +67,8 @@ static double um_materials_facet_smith_coarse(double c2, double s2)
 static double evaluate(const struct um_materials_lobe *lobe, const struct um_materials_pair *pair)
 {
   if (um_materials_lobe_is_tabulated(lobe))
-    return um_materials_passed_on(lobe, pair->cos_i, 0.0) *
-           um_materials_passed_on(lobe, pair->cos_o, 0.0) *
+    return um_materials_compensation(lobe, pair->cos_i, 0.0) *
+           um_materials_compensation(lobe, pair->cos_o, 0.0) *
            um_materials_beckmann_lobe(lobe->alpha, pair->cos_h, pair->cos_i, pair->cos_o);
   return um_materials_facet_lobe(lobe, um_materials_facet_distribution(lobe, pair), pair);
 }
@@ -105,7 +105,7 @@ double um_materials_beckmann_quadrature(const struct um_materials_lobe *lobe, do
   const double r_end = 5.5; /* exp(-30) of the facets lie beyond */
   double alpha = lobe->alpha, sin_o = sqrt((1.0 - cos_o) * (1.0 + cos_o));
   double g_o =
-      um_materials_passed_on(lobe, cos_o, 0.0) * um_materials_beckmann_masking(alpha, cos_o);
+      um_materials_compensation(lobe, cos_o, 0.0) * um_materials_beckmann_masking(alpha, cos_o);
   double dr = r_end / nr, sum = 0.0;
   for (int j = 0; j < nr; j++) {
     double r = (j + 0.5) * dr, tan_h = alpha * r;
@@ -116,7 +116,7 @@ double um_materials_beckmann_quadrature(const struct um_materials_lobe *lobe, do
       double oh = cos_o * cos_h + sin_o * sin_h * cos(phi);
       double cos_i = 2.0 * oh * cos_h - cos_o;
       if (!(oh > 0.0 && cos_i > 0.0)) continue;
-      double g = g_o * um_materials_passed_on(lobe, cos_i, 0.0) *
+      double g = g_o * um_materials_compensation(lobe, cos_i, 0.0) *
                  um_materials_beckmann_masking(alpha, cos_i);
       double weight = facets * g * oh / (cos_o * cos_h);
       sum += weight;

@@ -27,7 +27,7 @@ static struct parts parts_of(const struct um_materials_lobe *lobe)
                                            .alpha = alpha,
                                            .alpha_across = alpha,
                                            .correlated = m->of[k].correlated,
-                                           .passes_on = lobe->passes_on};
+                                           .compensated = lobe->compensated};
   }
   return p;
 }

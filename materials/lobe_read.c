@@ -192,7 +192,7 @@ enum um_status um_materials_lobe_read(struct um_context *context,
   struct um_materials_lobe *lobe = &record->lobe;
   lobe->kind = &um_materials_lobe_beckmann;
   lobe->alpha = lobe->alpha_across = stated;
-  lobe->passes_on = !record->grey; /* numbers of grey records are taken as they stand */
+  lobe->compensated = !record->grey; /* numbers of grey records are taken as they stand */
   if (in == NULL) return um_materials_albedo_build(context, record);
   const struct um_materials_lobe_kind *kind = um_materials_lobe_kind_at((size_t)in->kind);
   lobe->kind = kind;

@@ -13,8 +13,8 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "materials/compensation_impl.h"
 #include "materials/lobe_impl.h"
-#include "materials/passed_on_impl.h"
 
 /* A file that includes this defines these three, and has what follows of its facets. */
 
@@ -87,23 +87,24 @@ static inline double um_materials_facet_lobe(const struct um_materials_lobe *lob
       um_materials_facet_lambda(lobe, um_materials_facet_smith, pair->cos_i, pair->along_i);
   double lambda_o =
       um_materials_facet_lambda(lobe, um_materials_facet_smith, pair->cos_o, pair->along_o);
-  double passed = um_materials_passed_on(lobe, pair->cos_i, pair->along_i) *
-                  um_materials_passed_on(lobe, pair->cos_o, pair->along_o);
-  return passed * distribution /
+  double compensation = um_materials_compensation(lobe, pair->cos_i, pair->along_i) *
+                        um_materials_compensation(lobe, pair->cos_o, pair->along_o);
+  return compensation * distribution /
          (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * 4.0 * pair->cos_i * pair->cos_o);
 }
 
-/* i = 2 (o.h) h - o and its weight, of a facet drawn from D cos_h; passed_o: s(o). */
+/* i = 2 (o.h) h - o and its weight, of a facet drawn from D cos_h; compensation_o: s(o). */
 static inline struct um_materials_reflected
 um_materials_facet_reflect_one(const struct um_materials_lobe *lobe, struct um_vec3 h,
-                               struct um_vec3 o, double lambda_o, double passed_o)
+                               struct um_vec3 o, double lambda_o, double compensation_o)
 {
   struct um_materials_reflected r = {.cos_d = um_vec3_dot(o, h)};
   r.i = um_vec3_axpy(um_vec3_scale(o, -1.0), 2.0 * r.cos_d, h);
   if (!(r.cos_d > 0.0) || !(r.i.z > 0.0)) return r;
   double lambda_i = um_materials_facet_lambda(lobe, um_materials_facet_smith_coarse, r.i.z, r.i.x);
-  double passed = passed_o * um_materials_passed_on(lobe, r.i.z, r.i.x);
-  r.weight = passed * r.cos_d / (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * o.z * h.z);
+  double compensation = compensation_o * um_materials_compensation(lobe, r.i.z, r.i.x);
+  r.weight =
+      compensation * r.cos_d / (um_materials_facet_unmasked(lobe, lambda_i, lambda_o) * o.z * h.z);
   return r;
 }
 
@@ -118,9 +119,9 @@ static void um_materials_facet_reflect(const struct um_materials_lobe *lobe,
                                        const struct um_vec3 *drawn, size_t n, struct um_vec3 o,
                                        double toward, struct um_materials_reflected *out)
 {
-  double passed = um_materials_passed_on(lobe, o.z, o.x);
+  double compensation = um_materials_compensation(lobe, o.z, o.x);
   for (size_t k = 0; k < n; k++)
-    out[k] = um_materials_facet_reflect_one(lobe, drawn[k], o, toward, passed);
+    out[k] = um_materials_facet_reflect_one(lobe, drawn[k], o, toward, compensation);
 }
 
 /* D cos_h/(4 cos_d) [1/sr]. */

@@ -10,11 +10,11 @@
  * a facetted surface that loses nothing reflects rho_d + Fbar(o), hence (Kirchhoff)
  *   emissivity(o) = 1 - rho_d - Fbar(o),
  * and what the lobe misses, M(o) = Fbar(o) (1 - E(o)), is given back: of facets with Smith's
- * masking by the lobe itself, E = 1 (passed_on.c), and M = 0; of others by a second lobe, f_M(i, o)
- * = M(i) M(o) / (pi Mbar),  Mbar = 2 int M(o) cos_o dcos_o, which is reciprocal and reflects M(i)
- * of what arrives from i (after Kulla & Conty 2017; M carries F itself, so that the sum is exact at
- * every wavelength and angle). A measured BRDF is whole: what it lacks was absorbed. It reflects
- * rho_d + F E(o), F a factor without angle, emits the rest, and M = 0
+ * masking by the lobe itself, E = 1 (compensation.c), and M = 0; of others by a second lobe, f_M(i,
+ * o) = M(i) M(o) / (pi Mbar),  Mbar = 2 int M(o) cos_o dcos_o, which is reciprocal and reflects
+ * M(i) of what arrives from i (after Kulla & Conty 2017; M carries F itself, so that the sum is
+ * exact at every wavelength and angle). A measured BRDF is whole: what it lacks was absorbed. It
+ * reflects rho_d + F E(o), F a factor without angle, emits the rest, and M = 0
  * (docs/decisions/0012-measured-brdfs.md). */
 #include <assert.h>
 #include <math.h>

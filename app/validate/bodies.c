@@ -22,7 +22,7 @@ static const struct um_optics_band vis = {"vis", 0.38e-6, 0.78e-6, 20, NULL};
 static const struct um_optics_band lwir = {"lwir", 8e-6, 12e-6, 40, NULL};
 
 /* One part of one material, at most 64 instants. */
-struct stage {
+struct scene {
   struct um_context *context;
   struct um_materials_library *library;
   struct um_geometry *geometry;
@@ -38,7 +38,7 @@ struct stage {
 
 /* The product's grey panel with other numbers: Lambert reflectance, F of the lobe, its alpha,
  * emittance. */
-static enum um_status stage_grey(struct stage *s, double diffuse, double specular, double alpha,
+static enum um_status scene_grey(struct scene *s, double diffuse, double specular, double alpha,
                                  double emittance)
 {
   char text[6][80];
@@ -76,7 +76,7 @@ static struct um_geometry_part_spec shape_of(enum um_geometry_shape shape, doubl
 }
 
 /* Identity attitude, 1 au, full sunlight, Sun and observer toward +z; 300 K; no Earth. */
-static enum um_status stage_set(struct stage *s, struct um_context *context,
+static enum um_status scene_set(struct scene *s, struct um_context *context,
                                 const struct um_geometry_part_spec *shape, size_t ntime)
 {
   s->context = context;
@@ -100,7 +100,7 @@ static enum um_status stage_set(struct stage *s, struct um_context *context,
   return UM_OK;
 }
 
-static enum um_status stage_run(struct stage *s, const struct um_optics_band *band)
+static enum um_status scene_run(struct scene *s, const struct um_optics_band *band)
 {
   const struct um_optics_scene scene = {.geometry = s->geometry,
                                         .environment = &s->environment,
@@ -115,7 +115,7 @@ static enum um_status stage_run(struct stage *s, const struct um_optics_band *ba
   return um_optics_lightcurve_compute(s->context, &seen, band, 1, &s->curve);
 }
 
-static void stage_end(struct stage *s)
+static void scene_end(struct scene *s)
 {
   um_optics_lightcurve_destroy(s->context, &s->curve);
   um_optics_view_destroy(s->context, &s->view);
@@ -126,7 +126,7 @@ static void stage_end(struct stage *s)
 }
 
 /* Band intensity [W/sr] of a mechanism. */
-static double intensity(const struct stage *s, size_t time, enum um_optics_mechanism mechanism)
+static double intensity(const struct scene *s, size_t time, enum um_optics_mechanism mechanism)
 {
   return s->curve->intensity[time * UM_MECHANISM_COUNT + (size_t)mechanism];
 }
@@ -161,11 +161,11 @@ static enum um_status sphere(struct um_context *context, struct um_validate_repo
   enum { ROWS = sizeof row / sizeof row[0] };
   const double mesh = 2e-4 * 2.0 / 3.0;
   struct um_geometry_part_spec shape = shape_of(UM_SHAPE_SPHERE, 1.0, 0.0);
-  struct stage s = {.context = context};
+  struct scene s = {.context = context};
   enum um_status status;
   shape.facet_size = 0.05;
-  UM_CHECK(stage_grey(&s, 0.2, 0.0, 0.265, 0.8));
-  UM_CHECK(stage_set(&s, context, &shape, ROWS));
+  UM_CHECK(scene_grey(&s, 0.2, 0.0, 0.265, 0.8));
+  UM_CHECK(scene_set(&s, context, &shape, ROWS));
   for (size_t t = 0; t < ROWS; t++) {
     struct um_vec3 side, other, sun = polar(0.7, 0.4);
     um_core_vec3_frame(sun, &side, &other);
@@ -173,7 +173,7 @@ static enum um_status sphere(struct um_context *context, struct um_validate_repo
     s.samples[t].sun = sun;
     s.samples[t].to_observer = um_vec3_axpy(um_vec3_scale(sun, cos(g)), sin(g), side);
   }
-  UM_CHECK(stage_run(&s, &vis));
+  UM_CHECK(scene_run(&s, &vis));
   double e = um_environment_solar_band(&s.environment, vis.from, vis.to);
   for (size_t t = 0; t < ROWS; t++) {
     double i = intensity(&s, t, UM_MECHANISM_SUN) / e;
@@ -183,7 +183,7 @@ static enum um_status sphere(struct um_context *context, struct um_validate_repo
                              1.0857 * mesh / row[t].p + 5e-5, CLOSED);
   }
 done:
-  stage_end(&s);
+  scene_end(&s);
   return status;
 }
 
@@ -198,23 +198,23 @@ static enum um_status cylinder(struct um_context *context, struct um_validate_re
              {"Lambert cylinder, phase function at 60 deg", 60.0, 0.304499},
              {"Lambert cylinder, phase function at 90 deg", 90.0, 0.159155}};
   struct um_geometry_part_spec shape = shape_of(UM_SHAPE_CYLINDER, 0.5, 2.0);
-  struct stage s = {.context = context};
+  struct scene s = {.context = context};
   enum um_status status;
   shape.facet_size = 0.05;
-  UM_CHECK(stage_grey(&s, 0.3, 0.0, 0.265, 0.8));
-  UM_CHECK(stage_set(&s, context, &shape, 3));
+  UM_CHECK(scene_grey(&s, 0.3, 0.0, 0.265, 0.8));
+  UM_CHECK(scene_set(&s, context, &shape, 3));
   for (size_t t = 0; t < 3; t++) {
     s.samples[t].sun = polar(0.5 * UM_PI, 0.2);
     s.samples[t].to_observer = polar(0.5 * UM_PI, 0.2 + row[t].phase * UM_DEG);
   }
-  UM_CHECK(stage_run(&s, &vis));
+  UM_CHECK(scene_run(&s, &vis));
   double e = um_environment_solar_band(&s.environment, vis.from, vis.to);
   for (size_t t = 0; t < 3; t++)
     um_validate_report_add(report, row[t].name, "1", row[t].c,
                            intensity(&s, t, UM_MECHANISM_SUN) / (e * 0.3 * 0.5 * 2.0), 2e-4,
                            CLOSED);
 done:
-  stage_end(&s);
+  scene_end(&s);
   return status;
 }
 
@@ -224,18 +224,18 @@ static enum um_status plate(struct um_context *context, struct um_validate_repor
                             double expected, double towards)
 {
   struct um_geometry_part_spec shape = shape_of(UM_SHAPE_PLATE, 1.0, 1.0);
-  struct stage s = {.context = context};
+  struct scene s = {.context = context};
   enum um_status status;
-  UM_CHECK(stage_grey(&s, diffuse, specular, alpha, 0.8));
-  UM_CHECK(stage_set(&s, context, &shape, 1));
+  UM_CHECK(scene_grey(&s, diffuse, specular, alpha, 0.8));
+  UM_CHECK(scene_set(&s, context, &shape, 1));
   s.samples[0].sun = polar(30.0 * UM_DEG, 0.0);
   s.samples[0].to_observer = polar(30.0 * UM_DEG, towards);
-  UM_CHECK(stage_run(&s, &vis));
+  UM_CHECK(scene_run(&s, &vis));
   double e = um_environment_solar_band(&s.environment, vis.from, vis.to);
   um_validate_report_add(report, name, "mag", expected,
                          magnitude(intensity(&s, 0, UM_MECHANISM_SUN) / e), 1e-4, CLOSED);
 done:
-  stage_end(&s);
+  scene_end(&s);
   return status;
 }
 
@@ -262,19 +262,19 @@ static enum um_status hot_array(struct um_context *context, struct um_validate_r
              {"65 m^2 at 200 K, 1000 km, 8-12 um", 200.0, 1.923e-10, 0.6e-13},
              {"65 m^2 at 320 K, 1000 km, 8-12 um", 320.0, 2.894e-9, 0.6e-12}};
   const struct um_geometry_part_spec shape = shape_of(UM_SHAPE_PLATE, 13.0, 5.0);
-  struct stage s = {.context = context};
+  struct scene s = {.context = context};
   enum um_status status;
-  UM_CHECK(stage_grey(&s, 0.2, 0.0, 0.265, 0.85));
-  UM_CHECK(stage_set(&s, context, &shape, 4));
+  UM_CHECK(scene_grey(&s, 0.2, 0.0, 0.265, 0.85));
+  UM_CHECK(scene_set(&s, context, &shape, 4));
   size_t n = um_geometry_mesh(s.geometry)->nsurface;
   for (size_t i = 0; i < 4 * n; i++) s.temperature[i] = row[i / n].kelvin;
-  UM_CHECK(stage_run(&s, &lwir));
+  UM_CHECK(scene_run(&s, &lwir));
   for (size_t t = 0; t < 4; t++)
     um_validate_report_add(report, row[t].name, "W/m^2", row[t].irradiance,
                            intensity(&s, t, UM_MECHANISM_EMITTED) / 1e12, row[t].digit,
                            "Planck's law");
 done:
-  stage_end(&s);
+  scene_end(&s);
   return status;
 }
 
@@ -282,18 +282,18 @@ done:
 static enum um_status cube(struct um_context *context, struct um_validate_report *report)
 {
   const struct um_geometry_part_spec shape = shape_of(UM_SHAPE_BOX, 1.0, 1.0);
-  struct stage s = {.context = context};
+  struct scene s = {.context = context};
   enum um_status status;
-  UM_CHECK(stage_grey(&s, 0.2, 0.0, 0.265, 0.85));
-  UM_CHECK(stage_set(&s, context, &shape, 1));
+  UM_CHECK(scene_grey(&s, 0.2, 0.0, 0.265, 0.85));
+  UM_CHECK(scene_set(&s, context, &shape, 1));
   s.samples[0].to_observer = um_vec3_unit(um_vec3(1.0, 1.0, 1.0));
-  UM_CHECK(stage_run(&s, &lwir));
+  UM_CHECK(scene_run(&s, &lwir));
   um_validate_report_add(report, "Unit cube along its diagonal, projected area", "m^2", sqrt(3.0),
                          intensity(&s, 0, UM_MECHANISM_EMITTED) /
                              (0.85 * um_core_planck_band(lwir.from, lwir.to, 300.0)),
                          FLOAT * sqrt(3.0), CLOSED);
 done:
-  stage_end(&s);
+  scene_end(&s);
   return status;
 }
 
@@ -311,22 +311,22 @@ static enum um_status reflected_earth(struct um_context *context, struct um_vali
              {"Reflected Earth over emission, OSR 0.80 at 260 K", 0.80, 260.0, 0.25, 0.005}};
   const struct um_geometry_part_spec shape = shape_of(UM_SHAPE_PLATE, 1.0, 1.0);
   for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-    struct stage s = {.context = context};
+    struct scene s = {.context = context};
     enum um_status status;
-    UM_CHECK(stage_grey(&s, 0.1, 0.0, 0.265, row[k].emissivity));
-    UM_CHECK(stage_set(&s, context, &shape, 1));
+    UM_CHECK(scene_grey(&s, 0.1, 0.0, 0.265, row[k].emissivity));
+    UM_CHECK(scene_set(&s, context, &shape, 1));
     s.environment.brightness_temperature = 270.0;
     for (size_t i = 0; i < um_geometry_mesh(s.geometry)->nsurface; i++) {
       s.temperature[i] = row[k].kelvin;
       s.view_factor[i] = 0.797F;
     }
-    UM_CHECK(stage_run(&s, &lwir));
+    UM_CHECK(scene_run(&s, &lwir));
     um_validate_report_add(report, row[k].name, "1", row[k].ratio,
                            intensity(&s, 0, UM_MECHANISM_EARTH) /
                                intensity(&s, 0, UM_MECHANISM_EMITTED),
                            row[k].digit + 0.0005 / 0.797 * row[k].ratio, CLOSED);
   done:
-    stage_end(&s);
+    scene_end(&s);
     UM_TRY(status);
   }
   return UM_OK;
@@ -345,19 +345,19 @@ static enum um_status isothermal(struct um_context *context, struct um_validate_
              {"Isothermal surroundings, CFRP, 80 deg", "cfrp"}};
   const struct um_geometry_part_spec shape = shape_of(UM_SHAPE_PLATE, 1.0, 1.0);
   for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-    struct stage s = {.context = context};
+    struct scene s = {.context = context};
     char *folder = NULL;
     enum um_status status;
     UM_CHECK(um_materials_library_folder(context, &folder));
     UM_CHECK(um_environment_library_create(context, false, &s.library));
     UM_CHECK(um_materials_library_read_folder(context, s.library, folder));
     s.record = um_materials_library_find(s.library, row[k].material);
-    UM_CHECK(stage_set(&s, context, &shape, 1));
+    UM_CHECK(scene_set(&s, context, &shape, 1));
     s.environment.brightness_temperature = 300.0;
     s.samples[0].to_observer = polar(80.0 * UM_DEG, 0.3);
     s.samples[0].r = um_vec3(0.0, 0.0, -s.environment.earth_radius * (1.0 + 1e-15));
     for (size_t i = 0; i < um_geometry_mesh(s.geometry)->nsurface; i++) s.view_factor[i] = 1.0F;
-    UM_CHECK(stage_run(&s, &lwir));
+    UM_CHECK(scene_run(&s, &lwir));
     um_validate_report_add(
         report, row[k].name, "1", 1.0,
         (intensity(&s, 0, UM_MECHANISM_EARTH) + intensity(&s, 0, UM_MECHANISM_EMITTED)) /
@@ -365,7 +365,7 @@ static enum um_status isothermal(struct um_context *context, struct um_validate_
         FLOAT, "Kirchhoff");
   done:
     um_core_free(context, folder);
-    stage_end(&s);
+    scene_end(&s);
     UM_TRY(status);
   }
   return UM_OK;

@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "optics/image/image_impl.h"
-#include "optics/paths/stage_group.h"
+#include "optics/paths/posed_scenes_group.h"
 
 #define PROBE       24  /* lines that tell what the whole will cost, at most */
 #define PROBE_RAYS  4e6 /* of them together */
@@ -17,7 +17,7 @@ struct render {
   const struct um_optics_scene *scene;
   const struct um_optics_image_options *options;
   size_t time;
-  struct um_optics_stage *stage;
+  struct um_optics_posed_scenes *scenes;
   struct um_optics_tracer *tracer;
   struct um_optics_exposure frame;
 };
@@ -33,8 +33,8 @@ static void rows_destroy(struct um_context *context, size_t n, struct um_optics_
 static void render_clear(struct um_context *context, struct render *r)
 {
   um_optics_tracer_destroy(context, &r->tracer);
-  if (r->stage != NULL) um_optics_stage_clear(context, r->stage);
-  um_core_free(context, r->stage);
+  if (r->scenes != NULL) um_optics_posed_scenes_clear(context, r->scenes);
+  um_core_free(context, r->scenes);
 }
 
 /* Everything that stands before the first ray. */
@@ -50,16 +50,17 @@ static enum um_status render_begin(struct um_context *context, struct render *r)
   if (samples < 1 || samples > UM_OPTICS_IMAGE_SAMPLES)
     return um_core_fail(context, UM_ERR_INPUT, "image: %d samples per pixel; accepted: 1 to %d",
                         samples, UM_OPTICS_IMAGE_SAMPLES);
-  UM_TRY(um_core_allocate(context, 1, sizeof *r->stage, &r->stage));
-  UM_TRY(um_optics_stage_prepare(context, scene->geometry, sample, 1,
-                                 scene->interreflection_samples, r->stage));
+  UM_TRY(um_core_allocate(context, 1, sizeof *r->scenes, &r->scenes));
+  UM_TRY(um_optics_posed_scenes_prepare(context, scene->geometry, sample, 1,
+                                        scene->interreflection_samples, r->scenes));
   frame->mesh = um_geometry_mesh(scene->geometry);
-  frame->set = &r->stage->set[0];
+  frame->posed = &r->scenes->posed[0];
   frame->now = um_optics_instant(scene, r->time);
   if (!frame->now.lamp.shines) um_optics_instant_moon(scene, &frame->now);
   frame->samples = samples;
-  UM_TRY(um_optics_camera_create(context, width, r->options->up_gcrs, frame->mesh, frame->set->pose,
-                                 sample->q, frame->now.observer_body, &frame->camera));
+  UM_TRY(um_optics_camera_create(context, width, r->options->up_gcrs, frame->mesh,
+                                 frame->posed->pose, sample->q, frame->now.observer_body,
+                                 &frame->camera));
   double bytes = um_optics_tracer_bytes(context, frame);
   if (!(bytes <= UM_OPTICS_IMAGE_BYTES))
     return um_core_fail(context, UM_ERR_INPUT,
@@ -190,7 +191,7 @@ static size_t facing(const struct um_optics_exposure *frame)
 {
   size_t n = 0;
   for (size_t s = 0; s < frame->mesh->nsurface; s++) {
-    struct um_vec3 normal = um_geometry_surface_normal(frame->mesh, frame->set->pose, s);
+    struct um_vec3 normal = um_geometry_surface_normal(frame->mesh, frame->posed->pose, s);
     n += um_vec3_dot(normal, frame->now.observer_body) > 0.0;
   }
   return n;

@@ -4,13 +4,13 @@
 
 #include "optics/image/camera_impl.h"
 #include "optics/image/image.h"
+#include "optics/radiance/posed_scene_group.h"
 #include "optics/radiance/radiance_group.h"
-#include "optics/radiance/set_group.h"
 
 /* What the lines of a picture are traced in. */
 struct um_optics_exposure {
   const struct um_geometry_mesh *mesh;
-  const struct um_optics_set *set;
+  const struct um_optics_posed_scene *posed;
   struct um_optics_instant now;
   struct um_optics_camera camera;
   int samples; /* per pixel */

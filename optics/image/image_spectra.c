@@ -33,7 +33,7 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
   const struct um_optics_scene *scene = p->scene;
   size_t n = image->nbin, surface = image->surface[k], at = p->time * mesh->nsurface + surface;
   size_t skin = um_optics_skin(p->spectra, mesh, surface);
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, p->frame->set->pose, surface);
+  struct um_vec3 normal = um_geometry_surface_normal(mesh, p->frame->posed->pose, surface);
   float *dark = image->dark + k * n, *sun = image->sun + k * n;
   double cos_o = um_vec3_dot(normal, now->observer_body);
   if (!(cos_o > 0.0)) return;
@@ -60,10 +60,10 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
     sun[b] = (float)(from[UM_MECHANISM_SUN] + from[UM_MECHANISM_OTHER]);
     dark[b] = (float)(from[UM_MECHANISM_EARTH] + from[UM_MECHANISM_EMITTED]);
   }
-  if (p->frame->set->exchange == NULL) return;
+  if (p->frame->posed->exchange == NULL) return;
   /* of a surface that something hides in part, the mean over the part that is seen */
   double seen = p->seen[k];
-  const struct um_optics_paths paths = {p->few, scene, now, p->frame->set, &p->few_work[thread],
+  const struct um_optics_paths paths = {p->few, scene, now, p->frame->posed, &p->few_work[thread],
                                         1,      NULL};
   if (!um_optics_interreflection(&paths, &p->photons, surface, seen)) return;
   um_optics_coarse_expand(p->few, p->spectra, paths.work->reflected, work->row);
@@ -85,7 +85,7 @@ static enum um_status seen_create(struct um_context *context, const struct um_op
   for (size_t k = 0; k < image->nspectrum; k++) {
     size_t surface = image->surface[k];
     double cosine =
-        um_vec3_dot(um_geometry_surface_normal(p->frame->mesh, p->frame->set->pose, surface),
+        um_vec3_dot(um_geometry_surface_normal(p->frame->mesh, p->frame->posed->pose, surface),
                     p->frame->now.observer_body);
     double area = p->frame->mesh->area[p->frame->mesh->surface[surface].facet] * cosine;
     double share = area > 0.0 ? p->seen[k] / area : 1.0;
@@ -129,10 +129,10 @@ static enum um_status between_create(struct um_context *context, const struct um
 {
   UM_TRY(um_optics_coarse_create(context, p->scene, p->time, 1, bands, nband, &p->few));
   UM_TRY(um_optics_work_create(context, p->few, UM_OPTICS_PATHS, p->nthread, &p->few_work));
-  UM_TRY(um_optics_photons_reserve(context, p->few, p->frame->set, 1, 0, &p->photons));
+  UM_TRY(um_optics_photons_reserve(context, p->few, p->frame->posed, 1, 0, &p->photons));
   works_set(p, p->few, p->few_work);
   const struct um_optics_paths paths = {
-      p->few, p->scene, &p->frame->now, p->frame->set, &p->few_work[0], 1, NULL};
+      p->few, p->scene, &p->frame->now, p->frame->posed, &p->few_work[0], 1, NULL};
   um_optics_photons_trace(&paths, p->scene->view != NULL ? p->scene->view->seed : 0, &p->photons);
   return UM_OK;
 }
@@ -162,7 +162,7 @@ enum um_status um_optics_image_spectra(struct um_context *context,
   UM_CHECK(um_optics_spectra_create(context, scene, time, 1, bands, nband, &p.spectra));
   UM_CHECK(bins_create(context, p.spectra, image));
   UM_CHECK(um_optics_work_create(context, p.spectra, 0, p.nthread, &p.work));
-  if (frame->set->exchange != NULL) UM_CHECK(between_create(context, bands, nband, &p));
+  if (frame->posed->exchange != NULL) UM_CHECK(between_create(context, bands, nband, &p));
   UM_CHECK(seen_create(context, image, &p));
   UM_CHECK(fill_all(context, &p, image));
 done:

@@ -97,7 +97,7 @@ static void shadow_rays(const struct um_optics_exposure *frame, uint64_t key, si
     struct um_vec3 p = um_vec3(0.0, 0.0, 0.0);
     for (int k = 0; k < 3 && hit->facet != UM_GEOMETRY_NONE; k++)
       p = um_vec3_axpy(p, hit->weight[k],
-                       frame->set->pose->vertex[frame->mesh->corner[hit->facet][k]]);
+                       frame->posed->pose->vertex[frame->mesh->corner[hit->facet][k]]);
     double u[4], xy[2];
     um_optics_sample_4d(key, i, u);
     um_core_sample_disc(u + 2, xy);
@@ -118,7 +118,7 @@ static size_t trace_pixel(const struct um_optics_exposure *frame, int x, int y,
     um_optics_sample_4d(key, i, u);
     pencil->ray[i] = um_optics_camera_ray(&frame->camera, x + u[0], y + u[1]);
   }
-  um_geometry_visibility_closest(frame->set->visibility, pencil->ray, n, pencil->hit);
+  um_geometry_visibility_closest(frame->posed->visibility, pencil->ray, n, pencil->hit);
   bool any = false;
   for (size_t i = 0; i < n; i++) {
     /* a face without a side that radiates, met through a seam of the mesh, is no surface */
@@ -129,7 +129,7 @@ static size_t trace_pixel(const struct um_optics_exposure *frame, int x, int y,
   memset(pencil->occluded, 1, n);
   if (frame->now.lamp.shines) {
     shadow_rays(frame, key, n, pencil);
-    um_geometry_visibility_occluded(frame->set->visibility, pencil->ray, n, pencil->occluded);
+    um_geometry_visibility_occluded(frame->posed->visibility, pencil->ray, n, pencil->occluded);
   }
   size_t count = 0;
   for (size_t i = 0; i < n; i++) {

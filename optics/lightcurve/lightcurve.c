@@ -8,7 +8,7 @@
 #include "optics/paths/between_group.h"
 #include "optics/paths/photon_maps_group.h"
 #include "optics/radiance/coarse_group.h"
-#include "optics/radiance/facing_group.h"
+#include "optics/radiance/coplanar_group.h"
 
 /* Tables in some bins, and scratch for them. */
 struct resolution {
@@ -20,9 +20,9 @@ struct resolution {
 struct job {
   const struct um_optics_scene *scene;
   struct um_optics_lightcurve *curve;
-  struct resolution full, coarse;    /* that of the bands; for errors and light between surfaces */
-  struct um_optics_facing *facing;   /* [nthread] */
-  struct um_optics_between *between; /* [nthread] */
+  struct resolution full, coarse; /* that of the bands; for errors and light between surfaces */
+  struct um_optics_coplanar *coplanar;         /* [nthread] */
+  struct um_optics_between *between;           /* [nthread] */
   const struct um_optics_photon_maps *photons; /* NULL: none that serve */
 };
 
@@ -78,20 +78,20 @@ static void spectrum_keep(const struct job *job, size_t time, size_t material,
 }
 
 /* Variance from the traced fractions: the intensity that a standard error of area would add. */
-static void error_add(const struct task *task, const struct um_optics_facing *facing, size_t i,
+static void error_add(const struct task *task, const struct um_optics_coplanar *coplanar, size_t i,
                       const struct um_optics_earth_shares *shares)
 {
-  size_t surface = facing->surface[i];
+  size_t surface = coplanar->surface[i];
   const struct um_optics_scene *scene = task->job->scene;
   const struct um_optics_view *view = scene->view;
   const struct um_optics_spectra *spectra = task->coarse;
   struct um_optics_work *work = task->coarse_work;
   size_t time = task->now.time, at = time * view->nsurface + surface,
          skin = um_optics_skin(spectra, um_geometry_mesh(scene->geometry), surface);
-  if (!(view->seen_error[at] > 0.0F || facing->lit_error[i] > 0.0F)) return;
-  struct um_optics_sight error = facing->sight[i];
+  if (!(view->seen_error[at] > 0.0F || coplanar->lit_error[i] > 0.0F)) return;
+  struct um_optics_sight error = coplanar->sight[i];
   error.area_seen = view->area[surface] * (double)view->seen_error[at];
-  error.area_lit = view->area[surface] * (double)facing->lit_error[i];
+  error.area_lit = view->area[surface] * (double)coplanar->lit_error[i];
   um_optics_sum_clear(spectra, &work->single);
   um_optics_sum_add(spectra, &task->now, skin, &error, 1, shares, work, &work->single);
   um_optics_sum_spectrum(spectra, scene, &task->now, skin, &work->single, work, work->spectral);
@@ -107,14 +107,14 @@ static void error_add(const struct task *task, const struct um_optics_facing *fa
 
 /* Light between all surfaces that are seen. */
 static void between_add(const struct um_context *context, const struct task *task,
-                        const struct um_optics_set *set)
+                        const struct um_optics_posed_scene *posed)
 {
   const struct um_optics_spectra *few = task->coarse, *all = task->spectra;
   struct um_optics_work *work = task->work;
   const struct um_optics_paths paths = {.spectra = few,
                                         .scene = task->job->scene,
                                         .instant = &task->now,
-                                        .set = set,
+                                        .posed = posed,
                                         .work = task->coarse_work,
                                         .photons = task->job->photons,
                                         .factor =
@@ -152,31 +152,32 @@ static const struct um_optics_spectra *spectra_at(const struct um_context *conte
 }
 
 static void surfaces_add(const struct um_context *context, const struct task *task,
-                         const struct um_optics_set *set, struct um_optics_facing *facing)
+                         const struct um_optics_posed_scene *posed,
+                         struct um_optics_coplanar *coplanar)
 {
   const struct um_optics_scene *scene = task->job->scene;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
   struct um_optics_earth_shares shares;
-  um_optics_facing_fill(task->spectra, scene, &task->now, task->work, facing);
-  for (size_t g = 0; g < facing->ngroup && !um_core_stopped(context); g++) {
-    size_t first = facing->first[g], end = facing->first[g + 1];
-    size_t skin = um_optics_skin(task->spectra, mesh, facing->surface[first]);
-    um_optics_earth_shares(task->spectra, &task->now, skin, &facing->sight[first], &shares);
-    um_optics_sum_add(task->spectra, &task->now, skin, &facing->sight[first], end - first, &shares,
-                      task->work, &task->work->sum[skin]);
-    for (size_t i = first; i < end; i++) error_add(task, facing, i, &shares);
+  um_optics_coplanar_fill(task->spectra, scene, &task->now, task->work, coplanar);
+  for (size_t g = 0; g < coplanar->ngroup && !um_core_stopped(context); g++) {
+    size_t first = coplanar->first[g], end = coplanar->first[g + 1];
+    size_t skin = um_optics_skin(task->spectra, mesh, coplanar->surface[first]);
+    um_optics_earth_shares(task->spectra, &task->now, skin, &coplanar->sight[first], &shares);
+    um_optics_sum_add(task->spectra, &task->now, skin, &coplanar->sight[first], end - first,
+                      &shares, task->work, &task->work->sum[skin]);
+    for (size_t i = first; i < end; i++) error_add(task, coplanar, i, &shares);
   }
-  if (set != NULL) between_add(context, task, set);
+  if (posed != NULL) between_add(context, task, posed);
 }
 
 /* Surfaces by the instant's lamp, into the curve. */
 static void lamp_add(const struct um_context *context, const struct task *task,
-                     const struct um_optics_set *set, struct um_optics_facing *facing)
+                     const struct um_optics_posed_scene *posed, struct um_optics_coplanar *coplanar)
 {
   const struct um_optics_spectra *spectra = task->spectra;
   struct um_optics_work *work = task->work;
   for (size_t m = 0; m < spectra->nskin; m++) um_optics_sum_clear(spectra, &work->sum[m]);
-  surfaces_add(context, task, set, facing);
+  surfaces_add(context, task, posed, coplanar);
   for (size_t m = 0; m < spectra->nskin; m++) {
     um_optics_sum_spectrum(spectra, task->job->scene, &task->now, m, &work->sum[m], work,
                            work->spectral);
@@ -185,7 +186,7 @@ static void lamp_add(const struct um_context *context, const struct task *task,
 }
 
 static void compute_time(const struct um_context *context, const struct job *job,
-                         const struct um_optics_set *set, size_t time)
+                         const struct um_optics_posed_scene *posed, size_t time)
 {
   int thread = omp_get_thread_num();
   struct task task = {.job = job,
@@ -198,13 +199,13 @@ static void compute_time(const struct um_context *context, const struct job *job
   const struct um_optics_spectra *spectra = task.spectra;
   struct um_optics_work *work = task.work;
   um_optics_turn(spectra, job->scene, &task.now, work);
-  lamp_add(context, &task, set, &job->facing[thread]);
+  lamp_add(context, &task, posed, &job->coplanar[thread]);
   if (job->scene->view->moon_row[time] != SIZE_MAX && !job->scene->sunlight_only) {
     um_optics_instant_moon(job->scene, &task.now);
     task.now.sunlight_only = true;
     um_optics_light(spectra, job->scene, &task.now, work);
     um_optics_light(task.coarse, job->scene, &task.now, task.coarse_work);
-    lamp_add(context, &task, NULL, &job->facing[thread]);
+    lamp_add(context, &task, NULL, &job->coplanar[thread]);
   }
   for (size_t k = 0; k < spectra->nband; k++) {
     double *variance = &job->curve->stderr_[time * spectra->nband + k];
@@ -213,7 +214,7 @@ static void compute_time(const struct um_context *context, const struct job *job
 }
 
 static enum um_status compute_all(struct um_context *context, const struct job *job,
-                                  struct um_optics_stage *stage)
+                                  struct um_optics_posed_scenes *scenes)
 {
   const struct um_optics_scene *scene = job->scene;
   size_t ntime = scene->view->ntime;
@@ -221,15 +222,15 @@ static enum um_status compute_all(struct um_context *context, const struct job *
   for (size_t from = 0; from < ntime; from += UM_OPTICS_BLOCK) {
     size_t count = ntime - from < UM_OPTICS_BLOCK ? ntime - from : UM_OPTICS_BLOCK;
     if (nray > 0) {
-      UM_TRY(um_optics_stage_prepare(context, scene->geometry, scene->samples + from, count, nray,
-                                     stage));
-      UM_TRY(um_optics_between_reserve(context, job->coarse.spectra, stage,
+      UM_TRY(um_optics_posed_scenes_prepare(context, scene->geometry, scene->samples + from, count,
+                                            nray, scenes));
+      UM_TRY(um_optics_between_reserve(context, job->coarse.spectra, scenes,
                                        scene->view->path_factor, scene->view->ntime,
                                        (size_t)um_core_context_threads(context), job->between));
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t i = 0; i < count; i++)
-      compute_time(context, job, nray > 0 ? &stage->set[stage->of_time[i]] : NULL, from + i);
+      compute_time(context, job, nray > 0 ? &scenes->posed[scenes->of_time[i]] : NULL, from + i);
     UM_TRY(um_core_progress_step(context, count));
     UM_TRY(um_core_stop_check(context, "light curves were computed"));
   }
@@ -270,10 +271,10 @@ static enum um_status job_create(struct um_context *context, const struct um_opt
   UM_TRY(um_optics_coarse_create(context, scene, 0, ntime, bands, nband, &job->coarse.spectra));
   UM_TRY(resolution_fill(context, scene, 0, &job->full));
   UM_TRY(resolution_fill(context, scene, nray, &job->coarse));
-  UM_TRY(um_core_allocate(context, nthread, sizeof *job->facing, &job->facing));
+  UM_TRY(um_core_allocate(context, nthread, sizeof *job->coplanar, &job->coplanar));
   UM_TRY(um_optics_between_create(context, job->coarse.spectra, nthread, &job->between));
   for (size_t k = 0; k < nthread; k++)
-    UM_TRY(um_optics_facing_create(context, scene->view->nsurface, &job->facing[k]));
+    UM_TRY(um_optics_coplanar_create(context, scene->view->nsurface, &job->coplanar[k]));
   UM_TRY(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
   return curve_create(context, job->full.spectra, ntime, job->curve);
 }
@@ -283,9 +284,9 @@ static void job_clear(struct um_context *context, struct job *job)
   size_t nthread = (size_t)um_core_context_threads(context);
   resolution_clear(context, &job->full);
   resolution_clear(context, &job->coarse);
-  for (size_t k = 0; job->facing != NULL && k < nthread; k++)
-    um_optics_facing_clear(context, &job->facing[k]);
-  um_core_free(context, job->facing);
+  for (size_t k = 0; job->coplanar != NULL && k < nthread; k++)
+    um_optics_coplanar_clear(context, &job->coplanar[k]);
+  um_core_free(context, job->coplanar);
   um_optics_between_destroy(context, nthread, &job->between);
   um_optics_lightcurve_destroy(context, &job->curve);
 }
@@ -296,7 +297,7 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
                                             struct um_optics_lightcurve **out)
 {
   enum um_status status;
-  struct um_optics_stage *stage = NULL;
+  struct um_optics_posed_scenes *scenes = NULL;
   struct job job = {.scene = scene};
   size_t ntime = scene->view->ntime, nsurface = um_geometry_mesh(scene->geometry)->nsurface;
   *out = NULL;
@@ -306,17 +307,17 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
   UM_CHECK(job_create(context, bands, nband, &job));
   if (um_optics_photon_maps_are_compatible(scene->photons, scene, job.coarse.spectra))
     job.photons = scene->photons;
-  UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *scenes, &scenes));
   um_core_progress_begin(context, "computing light curves", ntime);
-  status = compute_all(context, &job, stage);
+  status = compute_all(context, &job, scenes);
   um_core_progress_end(context);
   if (status == UM_OK) {
     *out = job.curve;
     job.curve = NULL;
   }
 done:
-  if (stage != NULL) um_optics_stage_clear(context, stage);
-  um_core_free(context, stage);
+  if (scenes != NULL) um_optics_posed_scenes_clear(context, scenes);
+  um_core_free(context, scenes);
   job_clear(context, &job);
   return status;
 }

@@ -32,14 +32,15 @@ void um_optics_between_destroy(struct um_context *context, size_t n,
 
 enum um_status um_optics_between_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_stage *stage, const int *factor,
-                                         size_t ntime, size_t n, struct um_optics_between *between)
+                                         const struct um_optics_posed_scenes *scenes,
+                                         const int *factor, size_t ntime, size_t n,
+                                         struct um_optics_between *between)
 {
   int largest = 1;
   for (size_t t = 0; t < ntime; t++) largest = factor[t] > largest ? factor[t] : largest;
   for (size_t i = 0; i < n; i++)
-    for (size_t k = 0; k < stage->nset; k++)
-      UM_TRY(um_optics_photons_reserve(context, spectra, &stage->set[k], largest, spectra->nband,
+    for (size_t k = 0; k < scenes->nposed; k++)
+      UM_TRY(um_optics_photons_reserve(context, spectra, &scenes->posed[k], largest, spectra->nband,
                                        &between[i].photons));
   return UM_OK;
 }

@@ -3,7 +3,7 @@
 #define UMBRA_OPTICS_BETWEEN_GROUP_H
 
 #include "optics/paths/photons_group.h"
-#include "optics/paths/stage_group.h"
+#include "optics/paths/posed_scenes_group.h"
 
 /* Of one thread. */
 struct um_optics_between {
@@ -17,11 +17,12 @@ enum um_status um_optics_between_create(struct um_context *context,
                                         struct um_optics_between **out);
 void um_optics_between_destroy(struct um_context *context, size_t n,
                                struct um_optics_between **between);
-/* Room for every pose of the stage and the largest factor[ntime], each [n]. */
+/* Room for every pose of the scenes and the largest factor[ntime], each [n]. */
 enum um_status um_optics_between_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_stage *stage, const int *factor,
-                                         size_t ntime, size_t n, struct um_optics_between *between);
+                                         const struct um_optics_posed_scenes *scenes,
+                                         const int *factor, size_t ntime, size_t n,
+                                         struct um_optics_between *between);
 
 /* Sums of an instant; of the paths' work um_optics_light has been called. */
 void um_optics_between_compute(const struct um_context *context,

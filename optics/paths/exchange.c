@@ -36,20 +36,20 @@ struct um_vec3 um_optics_facet_point(const struct um_geometry_mesh *mesh,
 }
 
 /* Does no ray leave? hits: of the first, that meet something. */
-static bool is_closed(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
-                      size_t surface, int *hits)
+static bool is_closed(const struct um_geometry_mesh *mesh,
+                      const struct um_optics_posed_scene *posed, size_t surface, int *hits)
 {
   struct um_geometry_ray ray[TOGETHER];
   struct um_geometry_hit hit[TOGETHER];
-  struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, surface);
+  struct um_vec3 normal = um_geometry_surface_normal(mesh, posed->pose, surface);
   for (uint64_t first = 0; first < RAYS; first += TOGETHER) {
     for (uint64_t k = 0; k < TOGETHER; k++) {
       double u[4];
       um_optics_sample_4d(um_core_hash(KEY_CLOSE, surface), first + k, u);
-      ray[k] = um_optics_path_begin(mesh, set->pose, surface, u);
+      ray[k] = um_optics_path_begin(mesh, posed->pose, surface, u);
       ray[k].direction = um_core_sample_cosine(u + 2, normal);
     }
-    um_geometry_visibility_closest(set->visibility, ray, TOGETHER, hit);
+    um_geometry_visibility_closest(posed->visibility, ray, TOGETHER, hit);
     int met = 0;
     for (int k = 0; k < TOGETHER; k++) met += hit[k].facet != UM_GEOMETRY_NONE;
     if (first == 0) *hits = met;
@@ -80,7 +80,7 @@ static void share_out(const struct um_geometry_mesh *mesh, int nsample, int *cou
 
 enum um_status um_optics_exchange_create(struct um_context *context,
                                          const struct um_geometry_mesh *mesh,
-                                         const struct um_optics_set *set, int nsample,
+                                         const struct um_optics_posed_scene *posed, int nsample,
                                          struct um_optics_exchange **out)
 {
   enum um_status status;
@@ -92,8 +92,8 @@ enum um_status um_optics_exchange_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, mesh->nsurface, sizeof *e->count, &e->count));
 #pragma omp parallel for schedule(dynamic, 8) num_threads(um_core_context_threads(context))
   for (size_t s = 0; s < mesh->nsurface; s++)
-    if (!um_geometry_visibility_is_open(set->visibility, s)) {
-      e->closed[s] = is_closed(mesh, set, s, &e->count[s]);
+    if (!um_geometry_visibility_is_open(posed->visibility, s)) {
+      e->closed[s] = is_closed(mesh, posed, s, &e->count[s]);
       e->count[s]++; /* what the rays missed is there, too */
     }
   share_out(mesh, nsample, e->count);

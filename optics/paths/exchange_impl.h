@@ -3,12 +3,12 @@
 #define UMBRA_OPTICS_EXCHANGE_IMPL_H
 
 #include "geometry/visibility.h"
-#include "optics/radiance/set_group.h"
+#include "optics/radiance/posed_scene_group.h"
 
 /* nsample: paths of a surface at an instant. */
 enum um_status um_optics_exchange_create(struct um_context *context,
                                          const struct um_geometry_mesh *mesh,
-                                         const struct um_optics_set *set, int nsample,
+                                         const struct um_optics_posed_scene *posed, int nsample,
                                          struct um_optics_exchange **out);
 void um_optics_exchange_destroy(struct um_context *context, struct um_optics_exchange **exchange);
 

@@ -55,19 +55,19 @@ static bool go_on(struct um_optics_bundle *p, int i, int vertex)
 /* Points of the surface that the observer sees. */
 static void begin(struct um_optics_bundle *p, size_t surface, double seen)
 {
-  const struct um_optics_set *set = p->paths.set;
+  const struct um_optics_posed_scene *posed = p->paths.posed;
   struct um_vec3 observer = p->paths.instant->observer_body;
   struct um_optics_work *work = p->paths.work;
   p->alive = 0;
   for (int i = 0; i < p->n; i++) {
     double place[4];
     um_optics_sample_4d(p->key, p->sample[i], place);
-    work->ray[i] = um_optics_path_begin(set->exchange->mesh, set->pose, surface, place);
+    work->ray[i] = um_optics_path_begin(posed->exchange->mesh, posed->pose, surface, place);
     work->ray[i].direction = observer;
   }
   memset(work->hidden, 0, (size_t)p->n);
   if (seen < 1.0)
-    um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)p->n, work->hidden);
+    um_geometry_visibility_occluded(posed->visibility, work->ray, (size_t)p->n, work->hidden);
   for (int i = 0; i < p->n; i++) {
     if (work->hidden[i]) continue;
     um_optics_vertex_place(&p->paths, surface, work->ray[i].origin, observer, &p->vertex[i]);
@@ -87,7 +87,7 @@ static const double *black_body(const struct um_optics_bundle *p, int i)
 static bool telescopes(const struct um_optics_bundle *p, int i)
 {
   return !p->paths.instant->sunlight_only &&
-         p->paths.set->exchange->closed[p->vertex[i].surface] != 0;
+         p->paths.posed->exchange->closed[p->vertex[i].surface] != 0;
 }
 
 /* (1 - eps) B where a path arrives at a closed place, emissivity and B in the scratch. */
@@ -156,8 +156,8 @@ static void arrive(struct um_optics_bundle *p, int i)
 /* Rays on from all vertices; what meets a surface stays. */
 static void step(struct um_optics_bundle *p, int vertex)
 {
-  const struct um_optics_set *set = p->paths.set;
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  const struct um_optics_posed_scene *posed = p->paths.posed;
+  const struct um_geometry_mesh *mesh = posed->exchange->mesh;
   struct um_optics_work *work = p->paths.work;
   int went = 0, stays = 0;
   for (int a = 0; a < p->alive; a++) {
@@ -167,7 +167,7 @@ static void step(struct um_optics_bundle *p, int vertex)
                                                mesh->surface[p->vertex[i].surface].facet};
     p->of[went++] = i;
   }
-  um_geometry_visibility_closest(set->visibility, work->ray, (size_t)went, p->hit);
+  um_geometry_visibility_closest(posed->visibility, work->ray, (size_t)went, p->hit);
   for (int a = 0; a < went; a++) {
     const struct um_geometry_hit *hit = &p->hit[a];
     int i = p->of[a];
@@ -177,7 +177,7 @@ static void step(struct um_optics_bundle *p, int vertex)
     }
     if (!(reflect(p, i) >= LEAST) || hit->surface == UM_GEOMETRY_NONE) continue;
     um_optics_vertex_place(&p->paths, hit->surface,
-                           um_optics_facet_point(mesh, set->pose, hit->facet, hit->weight),
+                           um_optics_facet_point(mesh, posed->pose, hit->facet, hit->weight),
                            um_vec3_scale(p->turn[i].direction, -1.0), &p->vertex[i]);
     if (!(p->vertex[i].o.z > 0.0)) continue;
     arrive(p, i);
@@ -233,17 +233,17 @@ bool um_optics_interreflection(const struct um_optics_paths *paths,
   const struct um_optics_spectra *spectra = paths->spectra;
   const struct um_optics_scene *scene = paths->scene;
   const struct um_optics_instant *instant = paths->instant;
-  const struct um_optics_set *set = paths->set;
+  const struct um_optics_posed_scene *posed = paths->posed;
   struct um_optics_work *work = paths->work;
   struct um_optics_bundle p = {.paths = *paths, .photons = photons};
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
-  int nsample = set->exchange->count[surface] * paths->factor;
+  const struct um_geometry_mesh *mesh = posed->exchange->mesh;
+  int nsample = posed->exchange->count[surface] * paths->factor;
   uint64_t seed = scene->view != NULL ? scene->view->seed : 0;
   if (nsample == 0) return false;
   p.key = um_core_hash(um_core_hash(um_core_hash(KEY_RAY, seed), surface), instant->time);
   p.worth =
       mesh->area[mesh->surface[surface].facet] / nsample *
-      um_vec3_dot(um_geometry_surface_normal(mesh, set->pose, surface), instant->observer_body);
+      um_vec3_dot(um_geometry_surface_normal(mesh, posed->pose, surface), instant->observer_body);
   memset(work->reflected, 0, spectra->nbin * sizeof *work->reflected);
   memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
   memset(work->band, 0, spectra->nband * sizeof *work->band);

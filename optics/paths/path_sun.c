@@ -38,7 +38,7 @@ static void add_sunlight(const struct um_optics_bundle *p, int i, const double *
  * observer comes as photons. */
 void um_optics_bundle_add_sun(struct um_optics_bundle *p, int vertex)
 {
-  const struct um_optics_set *set = p->paths.set;
+  const struct um_optics_posed_scene *posed = p->paths.posed;
   struct um_optics_work *work = p->paths.work;
   struct um_optics_turn turn[UM_OPTICS_PATHS];
   int of[UM_OPTICS_PATHS], n = 0;
@@ -50,10 +50,10 @@ void um_optics_bundle_add_sun(struct um_optics_bundle *p, int vertex)
     if (!um_optics_vertex_sun(&p->paths, &p->vertex[i], &turn[n])) continue;
     work->ray[n] = (struct um_geometry_ray){
         p->vertex[i].point, um_optics_disc_direction(p->paths.instant, u), INFINITY,
-        set->exchange->mesh->surface[p->vertex[i].surface].facet};
+        posed->exchange->mesh->surface[p->vertex[i].surface].facet};
     of[n++] = i;
   }
-  um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)n, work->occluded);
+  um_geometry_visibility_occluded(posed->visibility, work->ray, (size_t)n, work->occluded);
   for (int k = 0; k < n; k++) {
     if (work->occluded[k]) continue;
     const struct um_optics_vertex *v = &p->vertex[of[k]];
@@ -78,7 +78,7 @@ static void note_brought(const struct um_optics_bundle *p, const struct um_optic
 void um_optics_bundle_add_photons(struct um_optics_bundle *p, int vertex)
 {
   const struct um_optics_photons *photons = p->photons;
-  const struct um_geometry_mesh *mesh = p->paths.set->exchange->mesh;
+  const struct um_geometry_mesh *mesh = p->paths.posed->exchange->mesh;
   struct um_optics_work *work = p->paths.work;
   int most = p->paths.scene->interreflection_most;
   for (int a = 0; a < p->alive; a++) {
@@ -107,7 +107,7 @@ void um_optics_bundle_add_photons(struct um_optics_bundle *p, int vertex)
 static void add_seen_photon(struct um_optics_bundle *p, size_t surface,
                             const struct um_optics_photon *photon)
 {
-  const struct um_geometry_mesh *mesh = p->paths.set->exchange->mesh;
+  const struct um_geometry_mesh *mesh = p->paths.posed->exchange->mesh;
   struct um_optics_work *work = p->paths.work;
   struct um_optics_vertex *v = &p->vertex[0];
   struct um_optics_turn turn;
@@ -128,9 +128,9 @@ static void add_seen_photon(struct um_optics_bundle *p, size_t surface,
 /* What of the photons on the surface itself goes to the observer, each from where it fell. */
 void um_optics_bundle_add_seen_photons(struct um_optics_bundle *p, size_t surface, double seen)
 {
-  const struct um_optics_set *set = p->paths.set;
+  const struct um_optics_posed_scene *posed = p->paths.posed;
   const struct um_optics_photons *photons = p->photons;
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  const struct um_geometry_mesh *mesh = posed->exchange->mesh;
   struct um_optics_work *work = p->paths.work;
   uint32_t facet = mesh->surface[surface].facet;
   for (size_t first = photons->first[surface], n; first < photons->first[surface + 1]; first += n) {
@@ -140,7 +140,7 @@ void um_optics_bundle_add_seen_photons(struct um_optics_bundle *p, size_t surfac
     for (size_t i = 0; i < n; i++)
       work->ray[i] = (struct um_geometry_ray){photons->photon[photons->order[first + i]].point,
                                               p->paths.instant->observer_body, INFINITY, facet};
-    if (seen < 1.0) um_geometry_visibility_occluded(set->visibility, work->ray, n, work->hidden);
+    if (seen < 1.0) um_geometry_visibility_occluded(posed->visibility, work->ray, n, work->hidden);
     for (size_t i = 0; i < n; i++)
       if (!work->hidden[i])
         add_seen_photon(p, surface, &photons->photon[photons->order[first + i]]);

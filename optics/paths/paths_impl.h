@@ -3,8 +3,8 @@
 #define UMBRA_OPTICS_PATHS_IMPL_H
 
 #include "materials/lobe.h"
+#include "optics/radiance/posed_scene_group.h"
 #include "optics/radiance/radiance_group.h"
-#include "optics/radiance/set_group.h"
 
 #define UM_OPTICS_PATHS 16 /* that are traced together */
 
@@ -23,7 +23,7 @@ struct um_optics_paths {
   const struct um_optics_spectra *spectra;
   const struct um_optics_scene *scene;
   const struct um_optics_instant *instant;
-  const struct um_optics_set *set;
+  const struct um_optics_posed_scene *posed;
   struct um_optics_work *work;
   int factor;                                  /* times the paths of the exchange */
   const struct um_optics_photon_maps *photons; /* that serve; NULL: they are traced */

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "optics/paths/photon_maps_group.h"
-#include "optics/paths/stage_group.h"
+#include "optics/paths/posed_scenes_group.h"
 #include "optics/radiance/coarse_group.h"
 
 #define MOST ((size_t)256 << 20) /* [byte] */
@@ -34,7 +34,7 @@ struct tracing {
   const struct um_optics_scene *scene;
   struct um_optics_spectra *spectra; /* in the bins of light between surfaces */
   struct um_optics_work *work;
-  struct um_optics_stage *stage;
+  struct um_optics_posed_scenes *scenes;
   struct um_optics_photons photons; /* of the current instant */
 };
 
@@ -45,14 +45,14 @@ static enum um_status tracing_begin(struct um_context *context, const struct um_
   t->scene = scene;
   UM_TRY(um_optics_coarse_create(context, scene, 0, 0, bands, nband, &t->spectra));
   UM_TRY(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS, 1, &t->work));
-  return um_core_allocate(context, 1, sizeof *t->stage, &t->stage);
+  return um_core_allocate(context, 1, sizeof *t->scenes, &t->scenes);
 }
 
 static void tracing_end(struct um_context *context, struct tracing *t)
 {
   um_optics_photons_clear(context, &t->photons);
-  if (t->stage != NULL) um_optics_stage_clear(context, t->stage);
-  um_core_free(context, t->stage);
+  if (t->scenes != NULL) um_optics_posed_scenes_clear(context, t->scenes);
+  um_core_free(context, t->scenes);
   um_optics_work_destroy(context, 1, &t->work);
   um_optics_spectra_destroy(context, &t->spectra);
 }
@@ -72,7 +72,7 @@ static enum um_status keep(struct um_context *context, const struct um_optics_ph
 
 /* Photons of an instant. */
 static enum um_status trace(struct um_context *context, struct tracing *t,
-                            const struct um_optics_set *set, size_t time,
+                            const struct um_optics_posed_scene *posed, size_t time,
                             struct um_optics_photon_maps *maps)
 {
   const struct um_optics_scene *scene = t->scene;
@@ -80,10 +80,10 @@ static enum um_status trace(struct um_context *context, struct tracing *t,
   const struct um_optics_paths paths = {.spectra = t->spectra,
                                         .scene = scene,
                                         .instant = &now,
-                                        .set = set,
+                                        .posed = posed,
                                         .work = t->work,
                                         .factor = scene->view->path_factor[time]};
-  UM_TRY(um_optics_photons_reserve(context, t->spectra, set, paths.factor, t->spectra->nband,
+  UM_TRY(um_optics_photons_reserve(context, t->spectra, posed, paths.factor, t->spectra->nband,
                                    &t->photons));
   um_optics_turn(t->spectra, scene, &now, t->work);
   um_optics_photons_trace(&paths, scene->view->seed, &t->photons);
@@ -99,10 +99,10 @@ static enum um_status trace_all(struct um_context *context, struct tracing *t,
   for (size_t from = 0; from < maps->ntime; from += UM_OPTICS_BLOCK) {
     size_t left = maps->ntime - from, count = left < UM_OPTICS_BLOCK ? left : UM_OPTICS_BLOCK;
     UM_TRY(um_core_stop_check(context, "sunlight was followed between mirrors"));
-    UM_TRY(um_optics_stage_prepare(context, scene->geometry, scene->samples + from, count,
-                                   maps->samples, t->stage));
+    UM_TRY(um_optics_posed_scenes_prepare(context, scene->geometry, scene->samples + from, count,
+                                          maps->samples, t->scenes));
     for (size_t i = 0; i < count && maps->bytes <= MOST; i++)
-      UM_TRY(trace(context, t, &t->stage->set[t->stage->of_time[i]], from + i, maps));
+      UM_TRY(trace(context, t, &t->scenes->posed[t->scenes->of_time[i]], from + i, maps));
   }
   return UM_OK;
 }
@@ -165,8 +165,8 @@ static bool same_mirror(const struct um_materials_lobe *a, const struct um_mater
   if (!um_optics_is_mirror(a) || !um_optics_is_mirror(b))
     return um_optics_is_mirror(a) == um_optics_is_mirror(b);
   return a->kind == b->kind && a->alpha == b->alpha && a->alpha_across == b->alpha_across &&
-         a->correlated == b->correlated && a->tilted == b->tilted && a->passes_on == b->passes_on &&
-         same_mixture(a->mixture, b->mixture);
+         a->correlated == b->correlated && a->tilted == b->tilted &&
+         a->compensated == b->compensated && same_mixture(a->mixture, b->mixture);
 }
 
 bool um_optics_photon_maps_are_compatible(const struct um_optics_photon_maps *maps,

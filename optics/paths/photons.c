@@ -4,8 +4,8 @@
  *   A cos_i/N f(s, o) cos_o/p(o),
  *
  * f the mean of the lobe over the Sun's disc, and go on with f cos_o/p at each further mirror.
- * After ROULETTE of them a way goes on as often as the mirror reflects, CONTINUE at most, and then
- * counts for those that do not (Arvo & Kirk 1990): few photons hold all ways. */
+ * After ROULETTE of them a way goes on as often as the mirror reflects, SURVIVAL_LIMIT at most, and
+ * then counts for those that do not (Arvo & Kirk 1990): few photons hold all ways. */
 #include "optics/paths/photons_group.h"
 
 #include <math.h>
@@ -14,12 +14,12 @@
 #include "optics/paths/exchange_impl.h"
 #include "optics/paths/sampling_group.h"
 
-#define EACH     2    /* ways of a mirror, of the paths of a surface */
-#define ROULETTE 2    /* mirrors */
-#define CONTINUE 0.75 /* 2 + 0.75/(1 - 0.75) = 5 photons of a way in the mean, at most */
-#define ROOM     6    /* photons of a way, and SPARE for all: beyond that ways end */
-#define SPARE    256
-#define LONGEST  256 /* mirrors of a way */
+#define EACH           2    /* ways of a mirror, of the paths of a surface */
+#define ROULETTE       2    /* mirrors */
+#define SURVIVAL_LIMIT 0.75 /* 2 + 0.75/(1 - 0.75) = 5 photons of a way in the mean, at most */
+#define ROOM           6    /* photons of a way, and SPARE for all: beyond that ways end */
+#define SPARE          256
+#define LONGEST        256 /* mirrors of a way */
 
 enum { KEY_PHOTON = 0x70686f74, KEY_DISC = 0x64697363, KEY_STAY = 0x73746179 };
 
@@ -40,18 +40,18 @@ struct bundle {
 static bool is_mirror(const struct um_optics_paths *paths, size_t surface)
 {
   return um_optics_is_mirror(
-      &paths->spectra->lobe[um_optics_skin(paths->spectra, paths->set->exchange->mesh, surface)]);
+      &paths->spectra->lobe[um_optics_skin(paths->spectra, paths->posed->exchange->mesh, surface)]);
 }
 
 enum um_status um_optics_photons_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_set *set, int factor, size_t nband,
-                                         struct um_optics_photons *photons)
+                                         const struct um_optics_posed_scene *posed, int factor,
+                                         size_t nband, struct um_optics_photons *photons)
 {
-  const struct um_optics_paths paths = {.spectra = spectra, .set = set};
-  size_t nsurface = set->exchange->mesh->nsurface, nroot = 0;
+  const struct um_optics_paths paths = {.spectra = spectra, .posed = posed};
+  size_t nsurface = posed->exchange->mesh->nsurface, nroot = 0;
   for (size_t s = 0; s < nsurface; s++)
-    if (is_mirror(&paths, s)) nroot += EACH * (size_t)(set->exchange->count[s] * factor);
+    if (is_mirror(&paths, s)) nroot += EACH * (size_t)(posed->exchange->count[s] * factor);
   if (photons->first == NULL) {
     photons->nband = nband;
     photons->nsurface = nsurface;
@@ -108,8 +108,8 @@ static bool fall(struct bundle *b, int i, int mirror, const struct um_geometry_h
       .skin = (uint16_t)b->vertex[i].skin,
       .cos_d = (float)b->turn[i].cos_d,
       .area = (float)b->area[i],
-      .point = um_optics_facet_point(b->paths->set->exchange->mesh, b->paths->set->pose, hit->facet,
-                                     hit->weight),
+      .point = um_optics_facet_point(b->paths->posed->exchange->mesh, b->paths->posed->pose,
+                                     hit->facet, hit->weight),
       .from = um_vec3_scale(b->turn[i].direction, -1.0)};
   b->before[i] = (uint32_t)all->count++;
   return true;
@@ -120,7 +120,8 @@ static bool goes_on(struct bundle *b, int i, int mirror)
 {
   if (!(b->area[i] > 0.0) || mirror == LONGEST) return false;
   if (mirror < ROULETTE) return true;
-  double share = fmin(CONTINUE, largest_f(b->paths->spectra, b->vertex[i].skin, b->vertex[i].o.z));
+  double share =
+      fmin(SURVIVAL_LIMIT, largest_f(b->paths->spectra, b->vertex[i].skin, b->vertex[i].o.z));
   if (!(number(b, i, mirror, KEY_STAY) < share)) return false;
   b->area[i] /= share;
   return true;
@@ -129,8 +130,8 @@ static bool goes_on(struct bundle *b, int i, int mirror)
 /* All ways by one more mirror. */
 static void step(struct bundle *b, int mirror)
 {
-  const struct um_optics_set *set = b->paths->set;
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  const struct um_optics_posed_scene *posed = b->paths->posed;
+  const struct um_geometry_mesh *mesh = posed->exchange->mesh;
   struct um_optics_work *work = b->paths->work;
   struct um_geometry_hit hit[UM_OPTICS_PATHS];
   int went = 0, stays = 0;
@@ -150,7 +151,7 @@ static void step(struct bundle *b, int mirror)
                                                mesh->surface[b->vertex[i].surface].facet};
     b->of[went++] = i;
   }
-  um_geometry_visibility_closest(set->visibility, work->ray, (size_t)went, hit);
+  um_geometry_visibility_closest(posed->visibility, work->ray, (size_t)went, hit);
   for (int a = 0; a < went; a++) {
     int i = b->of[a];
     if (hit[a].facet == UM_GEOMETRY_NONE || hit[a].surface == UM_GEOMETRY_NONE) continue;
@@ -165,19 +166,19 @@ static void step(struct bundle *b, int mirror)
 /* Ways from sample `b->sample` on that begin in sunlight, n of them of `count` in all. */
 static void begin(struct bundle *b, size_t surface, int n, uint32_t count)
 {
-  const struct um_optics_set *set = b->paths->set;
+  const struct um_optics_posed_scene *posed = b->paths->posed;
   const struct um_optics_instant *now = b->paths->instant;
-  const struct um_geometry_mesh *mesh = set->exchange->mesh;
+  const struct um_geometry_mesh *mesh = posed->exchange->mesh;
   struct um_optics_work *work = b->paths->work;
   size_t skin = um_optics_skin(b->paths->spectra, mesh, surface);
   bool delta = b->paths->spectra->lobe[skin].kind->delta;
   for (int i = 0; i < n; i++) {
     double u[4], disc[2] = {number(b, i, 0, KEY_DISC), number(b, i, 0, KEY_DISC + 1)};
     um_optics_sample_4d(b->key, b->sample + (uint32_t)i, u);
-    work->ray[i] = um_optics_path_begin(mesh, set->pose, surface, u);
+    work->ray[i] = um_optics_path_begin(mesh, posed->pose, surface, u);
     work->ray[i].direction = um_optics_disc_direction(now, disc);
   }
-  um_geometry_visibility_occluded(set->visibility, work->ray, (size_t)n, work->occluded);
+  um_geometry_visibility_occluded(posed->visibility, work->ray, (size_t)n, work->occluded);
   b->alive = 0;
   for (int i = 0; i < n; i++) {
     if (work->occluded[i]) continue;
@@ -194,8 +195,8 @@ static void trace_from(const struct um_optics_paths *paths, size_t surface, uint
                        struct um_optics_photons *photons)
 {
   struct um_vec3 normal =
-      um_geometry_surface_normal(paths->set->exchange->mesh, paths->set->pose, surface);
-  uint32_t count = EACH * (uint32_t)(paths->set->exchange->count[surface] * paths->factor);
+      um_geometry_surface_normal(paths->posed->exchange->mesh, paths->posed->pose, surface);
+  uint32_t count = EACH * (uint32_t)(paths->posed->exchange->count[surface] * paths->factor);
   if (count == 0 || !is_mirror(paths, surface) ||
       !(um_vec3_dot(normal, paths->instant->sun_body) > 0.0))
     return;

@@ -41,8 +41,8 @@ struct um_optics_photons {
  * nothing is kept of what ways bring. UM_ERR_MEMORY. */
 enum um_status um_optics_photons_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
-                                         const struct um_optics_set *set, int factor, size_t nband,
-                                         struct um_optics_photons *photons);
+                                         const struct um_optics_posed_scene *posed, int factor,
+                                         size_t nband, struct um_optics_photons *photons);
 void um_optics_photons_clear(struct um_context *context, struct um_optics_photons *photons);
 
 /* Photons of an instant. seed: as of the view. */

@@ -41,12 +41,12 @@ static void axes(const struct um_optics_paths *paths, size_t surface, size_t ski
 void um_optics_vertex_place(const struct um_optics_paths *paths, size_t surface,
                             struct um_vec3 point, struct um_vec3 from, struct um_optics_vertex *v)
 {
-  const struct um_geometry_mesh *mesh = paths->set->exchange->mesh;
+  const struct um_geometry_mesh *mesh = paths->posed->exchange->mesh;
   v->surface = surface;
   v->skin = um_optics_skin(paths->spectra, mesh, surface);
   v->at = paths->instant->time * mesh->nsurface + surface;
   v->point = point;
-  v->normal = um_geometry_surface_normal(mesh, paths->set->pose, surface);
+  v->normal = um_geometry_surface_normal(mesh, paths->posed->pose, surface);
   axes(paths, surface, v->skin, v->normal, &v->along, &v->across);
   v->o = from_body(v->along, v->across, v->normal, from);
   const struct um_materials_lobe *lobe = &paths->spectra->lobe[v->skin];

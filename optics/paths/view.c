@@ -3,7 +3,7 @@
 #include <omp.h>
 
 #include "base/core/constants.h"
-#include "optics/paths/stage_group.h"
+#include "optics/paths/posed_scenes_group.h"
 #include "optics/radiance/radiance_group.h"
 
 static enum um_status check_number(struct um_context *context, int nsample)
@@ -89,7 +89,7 @@ static enum um_status view_create(struct um_context *context, const struct um_ge
 }
 
 /* How surfaces stand to a lamp, into a row. */
-static void turn_to(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
+static void turn_to(const struct um_geometry_mesh *mesh, const struct um_optics_posed_scene *posed,
                     struct um_vec3 observer, struct um_vec3 lamp, size_t row,
                     struct um_optics_lit *out)
 {
@@ -97,20 +97,20 @@ static void turn_to(const struct um_geometry_mesh *mesh, const struct um_optics_
   double length = um_vec3_norm(half);
   half = um_vec3_scale(half, length > 1e-9 ? 1.0 / length : 0.0);
   for (size_t i = 0; i < mesh->nsurface; i++) {
-    struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, i);
+    struct um_vec3 normal = um_geometry_surface_normal(mesh, posed->pose, i);
     out->cosine[row * mesh->nsurface + i] = (float)um_vec3_dot(normal, lamp);
     out->cos_half[row * mesh->nsurface + i] = um_vec3_dot(normal, half);
   }
 }
 
 /* What a lamp lights, into a row, and with it what the observer sees. scratch [4][nsurface]. */
-static void trace_lamp(const struct um_optics_set *set, struct um_vec3 observer,
+static void trace_lamp(const struct um_optics_posed_scene *posed, struct um_vec3 observer,
                        struct um_vec3 lamp, double radius, size_t time, size_t row, double *scratch,
                        const struct um_optics_view *view, struct um_optics_lit *out)
 {
   size_t n = view->nsurface;
   double *seen = scratch, *lit = seen + n, *seen_error = lit + n, *lit_error = seen_error + n;
-  um_geometry_visibility_toward_both(set->visibility, observer, lamp, radius, view->nsample[time],
+  um_geometry_visibility_toward_both(posed->visibility, observer, lamp, radius, view->nsample[time],
                                      view->seed, seen, lit, seen_error, lit_error);
   for (size_t i = 0; i < n; i++) {
     out->share[row * n + i] = (float)lit[i];
@@ -121,7 +121,8 @@ static void trace_lamp(const struct um_optics_set *set, struct um_vec3 observer,
 }
 
 /* scratch [4][nsurface]; once for each time */
-static void trace_time(const struct um_geometry_mesh *mesh, const struct um_optics_set *set,
+static void trace_time(const struct um_geometry_mesh *mesh,
+                       const struct um_optics_posed_scene *posed,
                        const struct um_environment_sample *sample, int nsample, double *scratch,
                        size_t time, struct um_optics_view *view)
 {
@@ -131,36 +132,36 @@ static void trace_time(const struct um_geometry_mesh *mesh, const struct um_opti
   struct um_vec3 sun = um_quat_apply(sample->q, sample->sun);
   struct um_vec3 moon = um_quat_apply(sample->q, sample->moon);
   struct um_vec3 nadir = um_optics_nadir(sample);
-  turn_to(mesh, set, o, sun, time, &view->sun);
+  turn_to(mesh, posed, o, sun, time, &view->sun);
   for (size_t i = 0; i < n; i++) {
-    struct um_vec3 normal = um_geometry_surface_normal(mesh, set->pose, i);
+    struct um_vec3 normal = um_geometry_surface_normal(mesh, posed->pose, i);
     view->cos_observer[time * n + i] = (float)um_vec3_dot(normal, o);
     view->cos_nadir[time * n + i] = (float)um_vec3_dot(normal, nadir);
   }
   if (row != SIZE_MAX) {
-    turn_to(mesh, set, o, moon, row, &view->moon);
-    trace_lamp(set, o, moon, um_environment_moon_radius(sample->moon_distance), time, row, scratch,
-               view, &view->moon);
+    turn_to(mesh, posed, o, moon, row, &view->moon);
+    trace_lamp(posed, o, moon, um_environment_moon_radius(sample->moon_distance), time, row,
+               scratch, view, &view->moon);
     if (!(sample->sunlit_fraction > 0.0)) return; /* a Sun that does not shine needs no rays */
   }
-  trace_lamp(set, o, sun, asin(UM_SOLAR_RADIUS / sample->sun_distance), time, time, scratch, view,
+  trace_lamp(posed, o, sun, asin(UM_SOLAR_RADIUS / sample->sun_distance), time, time, scratch, view,
              &view->sun);
 }
 
 /* Times whose number of points is not nsample[time] yet. */
 static enum um_status trace_all(struct um_context *context, const struct um_geometry *geometry,
                                 const struct um_environment_sample *samples, const int *nsample,
-                                struct um_optics_stage *stage, double *scratch,
+                                struct um_optics_posed_scenes *scenes, double *scratch,
                                 struct um_optics_view *view)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(geometry);
   for (size_t from = 0; from < view->ntime; from += UM_OPTICS_BLOCK) {
     size_t count = view->ntime - from < UM_OPTICS_BLOCK ? view->ntime - from : UM_OPTICS_BLOCK;
-    UM_TRY(um_optics_stage_prepare(context, geometry, samples + from, count, 0, stage));
+    UM_TRY(um_optics_posed_scenes_prepare(context, geometry, samples + from, count, 0, scenes));
 #pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
     for (size_t i = 0; i < count; i++)
       if (nsample[from + i] != view->nsample[from + i])
-        trace_time(mesh, &stage->set[stage->of_time[i]], &samples[from + i], nsample[from + i],
+        trace_time(mesh, &scenes->posed[scenes->of_time[i]], &samples[from + i], nsample[from + i],
                    scratch + (size_t)omp_get_thread_num() * 4 * mesh->nsurface, from + i, view);
     UM_TRY(um_core_progress_step(context, count));
     UM_TRY(um_core_stop_check(context, "lines of sight were traced"));
@@ -196,18 +197,18 @@ enum um_status um_optics_view_retrace(struct um_context *context,
                                       const int *nsample, struct um_optics_view *view)
 {
   enum um_status status;
-  struct um_optics_stage *stage = NULL;
+  struct um_optics_posed_scenes *scenes = NULL;
   double *scratch = NULL;
   size_t nthread = (size_t)um_core_context_threads(context);
   for (size_t t = 0; t < view->ntime; t++) UM_TRY(check_number(context, nsample[t]));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *stage, &stage));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *scenes, &scenes));
   UM_CHECK(um_core_allocate(context, nthread * 4 * view->nsurface, sizeof *scratch, &scratch));
   um_core_progress_begin(context, "tracing lines of sight", view->ntime);
-  status = trace_all(context, geometry, samples, nsample, stage, scratch, view);
+  status = trace_all(context, geometry, samples, nsample, scenes, scratch, view);
   um_core_progress_end(context);
 done:
-  if (stage != NULL) um_optics_stage_clear(context, stage);
-  UM_FREE(context, stage, scratch);
+  if (scenes != NULL) um_optics_posed_scenes_clear(context, scenes);
+  UM_FREE(context, scenes, scratch);
   return status;
 }
 

@@ -160,12 +160,12 @@ static enum um_status materials_allocate(struct um_context *context, struct um_o
 
 /* The lobe of a material: its facets, and F at the nodes of their cosines. */
 static void lobe_fill(const struct um_context *context, const struct um_materials_record *record,
-                      const struct um_materials_adjustment *adjustment, bool passed_on, size_t m,
+                      const struct um_materials_adjustment *adjustment, bool compensated, size_t m,
                       struct um_optics_spectra *s)
 {
   s->lobe[m] = um_materials_lobe(record, adjustment);
   if (s->lobe[m].kind == NULL) return;
-  s->lobe[m].passes_on = s->lobe[m].passes_on && passed_on;
+  s->lobe[m].compensated = s->lobe[m].compensated && compensated;
   s->facets[m] =
       (struct um_optics_lobe_facets){s->lobe[m], UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS,
                                      s->half + m * UM_OPTICS_LOBE_RINGS * UM_OPTICS_LOBE_CELLS};
@@ -220,7 +220,7 @@ void um_optics_spectra_materials(const struct um_context *context,
                                  struct um_optics_spectra *s)
 {
   const struct um_optics_creases *creases = s->creases;
-  bool passed_on = scene->environment->multiple_scattering_on; /* from facet to facet */
+  bool compensated = scene->environment->multiple_scattering_on; /* from facet to facet */
   s->grain = creases != NULL && creases->patches->first[creases->patches->nsurface] > 0;
   for (size_t m = 0; m < s->nskin; m++) {
     size_t material = um_optics_material(s, m);
@@ -228,7 +228,7 @@ void um_optics_spectra_materials(const struct um_context *context,
     const struct um_materials_adjustment *adjustment = um_optics_adjustment(scene, time, material);
     struct um_materials_adjustment creased, upright = um_materials_no_adjustment;
     s->flat[m] = um_materials_lobe(record, adjustment);
-    s->flat[m].passes_on = s->flat[m].passes_on && passed_on;
+    s->flat[m].compensated = s->flat[m].compensated && compensated;
     if (creases != NULL && creases->slope_variance[m] > 0.0) {
       creased = adjustment != NULL ? *adjustment : um_materials_no_adjustment;
       creased.lobe.slope_variance = creases->slope_variance[m];
@@ -238,10 +238,10 @@ void um_optics_spectra_materials(const struct um_context *context,
     s->tilts[m] = adjustment != NULL && adjustment->emissivity_tilt != 0.0;
     if (adjustment != NULL) upright = *adjustment;
     upright.emissivity_tilt = 0.0;
-    lobe_fill(context, record, adjustment, passed_on, m, s);
+    lobe_fill(context, record, adjustment, compensated, m, s);
     s->grain = s->grain || um_materials_lobe_is_anisotropic(&s->lobe[m]);
     size_t nodes = s->diffuse_emitter[m] ? 1 : UM_OPTICS_ANGLE_NODES;
-    s->masks[m] = passed_on && s->lobe[m].kind != NULL && !um_materials_is_grey(record) &&
+    s->masks[m] = compensated && s->lobe[m].kind != NULL && !um_materials_is_grey(record) &&
                   !um_materials_lobe_is_whole(&s->lobe[m]);
     double *emissivity = s->emissivity + m * UM_OPTICS_ANGLE_NODES * s->nbin;
     double *masked = s->masked + m * UM_OPTICS_ANGLE_NODES * s->nbin;
@@ -256,8 +256,8 @@ void um_optics_spectra_materials(const struct um_context *context,
       }
       s->tilt[m * s->nbin + b] = um_materials_emissivity_tilt(record, adjustment, wavelength);
       double masked_mean = um_materials_masked_mean(record, adjustment, wavelength);
-      s->masked_mean[m * s->nbin + b] = passed_on ? masked_mean : 0.0;
-      if (!passed_on) s->diffuse[m * s->nbin + b] -= masked_mean;
+      s->masked_mean[m * s->nbin + b] = compensated ? masked_mean : 0.0;
+      if (!compensated) s->diffuse[m * s->nbin + b] -= masked_mean;
       for (size_t i = 0; i < UM_OPTICS_ANGLE_NODES && s->masks[m]; i++) {
         double u = (double)i / (UM_OPTICS_ANGLE_NODES - 1);
         masked[i * s->nbin + b] =

@@ -98,7 +98,7 @@ static void each_lobe(void (*f)(const struct um_materials_lobe *lobe))
                                            .alpha = alpha,
                                            .alpha_across = ratios[r] * alpha,
                                            .correlated = (form & 1) != 0,
-                                           .passes_on = (form & 2) != 0};
+                                           .compensated = (form & 2) != 0};
           f(&lobe);
         }
   }
@@ -109,7 +109,7 @@ static const char *say(const struct um_materials_lobe *lobe, const char *what)
   static char text[160];
   snprintf(text, sizeof text, "%s of %s, alpha %g, across %g%s%s", what, lobe->kind->name,
            lobe->alpha, lobe->alpha_across, lobe->correlated ? ", height-correlated" : "",
-           lobe->passes_on ? ", passed on" : "");
+           lobe->compensated ? ", compensated" : "");
   return text;
 }
 
@@ -186,7 +186,7 @@ static void conserves(const struct um_materials_lobe *lobe)
     if (um_materials_lobe_is_anisotropic(lobe)) o = direction(zeniths[z] * UM_DEG, 0.7);
     double directions = over_directions(lobe, o, 0.0, false);
     double samples = um_materials_lobe_quadrature(lobe, o, 256, 256, NULL, NULL);
-    double room = lobe->passes_on ? 1e-3 : 1e-4; /* of its tables */
+    double room = lobe->compensated ? 1e-3 : 1e-4; /* of its tables */
     assert_true(directions <= 1.0 + room + 3e-4 && samples <= 1.0 + room);
     check_near(say(lobe, "albedo"), samples, directions, 4e-4);
     if (!um_materials_lobe_is_anisotropic(lobe) && !um_materials_lobe_is_whole(lobe))
@@ -213,7 +213,7 @@ static void nothing_is_lost(void **state)
                                            .alpha = between[a],
                                            .alpha_across = ratios[r] * between[a],
                                            .correlated = form == 1,
-                                           .passes_on = true};
+                                           .compensated = true};
           bool ggx = lobe.kind == um_materials_lobe_kind_find("ggx");
           bool is_whole = um_materials_lobe_is_whole(&lobe);
           assert_true(is_whole == (r == 0));

@@ -323,12 +323,12 @@ static void mixtures(void **state)
   struct um_materials_lobe one = {.kind = um_materials_lobe_kind_find("beckmann"),
                                   .alpha = 0.05,
                                   .alpha_across = 0.05,
-                                  .passes_on = true},
+                                  .compensated = true},
                            two = {.kind = um_materials_lobe_kind_find("ggx"),
                                   .alpha = 0.4,
                                   .alpha_across = 0.4,
                                   .correlated = true,
-                                  .passes_on = true};
+                                  .compensated = true};
   check_near("mixture", lobe.kind->evaluate(&lobe, &pair),
              0.7 * one.kind->evaluate(&one, &pair) + 0.3 * two.kind->evaluate(&two, &pair), 1e-12);
   check_near("no mirror", um_materials_mirror(r).solar, 0.0, 0.0);

@@ -90,15 +90,15 @@ static void nothing_is_lost(void **state)
       f.environment.multiple_scattering_on = true;
       fixture_run(&f, 1, line, 2);
       for (size_t k = 0; k < 2; k++) {
-        double light = fixture_sun(&f, &line[k]) * i.z, lobe = 0.0, passed_on = 0.0;
+        double light = fixture_sun(&f, &line[k]) * i.z, lobe = 0.0, multiple = 0.0;
         for (size_t t = 0; t < LOBE; t++) lobe += weight[t] * alone[k][t] / light;
         for (size_t t = LOBE; t < ALL; t++)
-          passed_on +=
+          multiple +=
               weight[t] * (fixture_intensity(&f, t, k, UM_MECHANISM_SUN) - alone[k][t]) / light;
         print_message("alpha %g at %g deg, %s: %.5f without, %.5f with\n", row[a].alpha, zenith[z],
-                      line[k].name, lobe, lobe + passed_on);
+                      line[k].name, lobe, lobe + multiple);
         fixture_close("lobe alone", lobe, row[a].albedo[z], 4.5e-4);
-        fixture_close("white furnace", lobe + passed_on, 1.0, 1e-3);
+        fixture_close("white furnace", lobe + multiple, 1.0, 1e-3);
       }
       fixture_destroy(&f);
     }

@@ -9,7 +9,7 @@
 #include "base/core/planck.h"
 #include "optics/paths/interreflection_group.h"
 #include "optics/paths/photons_group.h"
-#include "optics/paths/stage_group.h"
+#include "optics/paths/posed_scenes_group.h"
 #include "tests/optics/fixture.h"
 
 #define WIDE 4000.0 /* side of plates 1 m apart [m]: the share near the edges is 1e-3 */
@@ -20,7 +20,7 @@ static const struct um_optics_band line = {"line", 0.599e-6, 0.601e-6, 1, NULL};
 /* What a surface sends by way of others, as if all of it were seen. */
 struct bench {
   struct um_optics_spectra *spectra;
-  struct um_optics_stage *stage;
+  struct um_optics_posed_scenes *scenes;
   struct um_optics_work *work;
   struct um_optics_instant now;
   struct um_optics_photons photons;
@@ -32,16 +32,17 @@ static void bench_create(struct fixture *f, const struct um_optics_band *band, i
 {
   memset(b, 0, sizeof *b);
   FIXTURE_OK(f, um_optics_spectra_create(f->context, &f->scene, 0, 1, band, 1, &b->spectra));
-  FIXTURE_OK(f, um_core_allocate(f->context, 1, sizeof *b->stage, &b->stage));
-  FIXTURE_OK(f, um_optics_stage_prepare(f->context, f->geometry, f->samples, 1, nsample, b->stage));
+  FIXTURE_OK(f, um_core_allocate(f->context, 1, sizeof *b->scenes, &b->scenes));
+  FIXTURE_OK(f, um_optics_posed_scenes_prepare(f->context, f->geometry, f->samples, 1, nsample,
+                                               b->scenes));
   FIXTURE_OK(f, um_optics_work_create(f->context, b->spectra, UM_OPTICS_PATHS, 1, &b->work));
   b->now = um_optics_instant(&f->scene, 0);
   um_optics_light(b->spectra, &f->scene, &b->now, b->work);
   um_optics_turn(b->spectra, &f->scene, &b->now, b->work);
-  FIXTURE_OK(
-      f, um_optics_photons_reserve(f->context, b->spectra, &b->stage->set[0], 1, 1, &b->photons));
-  b->paths =
-      (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->stage->set[0], b->work, 1, NULL};
+  FIXTURE_OK(f, um_optics_photons_reserve(f->context, b->spectra, &b->scenes->posed[0], 1, 1,
+                                          &b->photons));
+  b->paths = (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->scenes->posed[0],
+                                      b->work,    1,         NULL};
   um_optics_photons_trace(&b->paths, 0, &b->photons);
 }
 
@@ -49,8 +50,8 @@ static void bench_destroy(struct fixture *f, struct bench *b)
 {
   um_optics_photons_clear(f->context, &b->photons);
   um_optics_work_destroy(f->context, 1, &b->work);
-  um_optics_stage_clear(f->context, b->stage);
-  um_core_free(f->context, b->stage);
+  um_optics_posed_scenes_clear(f->context, b->scenes);
+  um_core_free(f->context, b->scenes);
   um_optics_spectra_destroy(f->context, &b->spectra);
 }
 
@@ -304,7 +305,7 @@ static void mirrored_earth(void **state)
   const struct um_optics_band band = {"lwir", 8e-6, 12e-6, 1, NULL};
   f.environment.earthshine_on = false;
   bench_create(&f, &band, 4096, &b);
-  b.stage->set[0].exchange->count[surface_of(&f, 0, "floor")] = 4096; /* small beside the wall */
+  b.scenes->posed[0].exchange->count[surface_of(&f, 0, "floor")] = 4096; /* small beside the wall */
   assert_true(um_optics_interreflection(&b.paths, &b.photons, surface_of(&f, 0, "floor"), 1.0));
   double factor = um_environment_plate_view_factor(7.0e6 / f.environment.earth_radius, 0.5 * UM_PI);
   fixture_within("the Earth in a mirror", b.work->reflected[0] * 4e-6,

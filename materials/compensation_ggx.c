@@ -1,11 +1,11 @@
-/* How much more than single scattering GGX facets send on, s of passed_on.c: masking taken apart,
- * and by the height of the facet. Rows: alpha 0 (0.002), 0.05 .. 1.6; places a/(1 + a) of a =
- * cos/(alpha sin), 0, 1/24 .. 1. By 60 turns of s <- s/sqrt(e), e = s(o) int f s(i) cos_i dw_i, on
- * 97 places, each with 192 x 96 facets. */
-#include "materials/passed_on_impl.h"
+/* How much more than single scattering GGX facets send on, s of compensation.c: masking taken
+ * apart, and by the height of the facet. Rows: alpha 0 (0.002), 0.05 .. 1.6; places a/(1 + a) of a
+ * = cos/(alpha sin), 0, 1/24 .. 1. By 60 turns of s <- s/sqrt(e), e = s(o) int f s(i) cos_i dw_i,
+ * on 97 places, each with 192 x 96 facets. */
+#include "materials/compensation_impl.h"
 
-const double um_materials_passed_ggx[2][UM_MATERIALS_FACET_ROUGHNESSES][UM_MATERIALS_FACET_PLACES] =
-    {
+const double
+    um_materials_compensation_ggx[2][UM_MATERIALS_FACET_ROUGHNESSES][UM_MATERIALS_FACET_PLACES] = {
         {
             {1.03482, 1.03858, 1.04286, 1.04766, 1.05298, 1.05875, 1.06486, 1.07113, 1.07725,
              1.08281, 1.08728, 1.09001, 1.09032, 1.08757, 1.08137, 1.07171, 1.05922, 1.04518,

@@ -1,11 +1,11 @@
-/* How much more than single scattering Beckmann facets send on, s of passed_on.c: masking taken
+/* How much more than single scattering Beckmann facets send on, s of compensation.c: masking taken
  * apart, and by the height of the facet. Rows: alpha 0 (0.002), 0.05 .. 1.6; places a/(1 + a) of a
  * = cos/(alpha sin), 0, 1/24 .. 1. By 60 turns of s <- s/sqrt(e), e = s(o) int f s(i) cos_i dw_i,
  * on 97 places, each with 192 x 96 facets. */
-#include "materials/passed_on_impl.h"
+#include "materials/compensation_impl.h"
 
-const double
-    um_materials_passed_beckmann[2][UM_MATERIALS_FACET_ROUGHNESSES][UM_MATERIALS_FACET_PLACES] = {
+const double um_materials_compensation_beckmann
+    [2][UM_MATERIALS_FACET_ROUGHNESSES][UM_MATERIALS_FACET_PLACES] = {
         {
             {0.99931, 1.00330, 1.00793, 1.01318, 1.01902, 1.02536, 1.03210, 1.03904, 1.04590,
              1.05231, 1.05773, 1.06149, 1.06275, 1.06064, 1.05443, 1.04392, 1.03001, 1.01527,

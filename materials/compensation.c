@@ -1,4 +1,4 @@
-/* Light that facets of a rough surface pass on to each other.
+/* Multiple-scattering compensation: light that facets of a rough surface pass on to each other.
  *
  * A facet reflects F of what it gets. Where another facet stands in the way the light goes on from
  * there, and single scattering, f = D G/(4 cos_i cos_o), loses it: E(o) = int f cos_i dw_i < 1 for
@@ -17,7 +17,7 @@
  * s is taken as leaves ALLOWED of that, and what is then lost goes the other way (spectrum.c).
  * Turquin (2019) scales by 1/E(o), which is not reciprocal. For rough surfaces, alpha above 0.5,
  * light that is passed on spreads wider than the lobe. Test: materials/conformance. */
-#include "materials/passed_on_impl.h"
+#include "materials/compensation_impl.h"
 
 #include "materials/lobe_impl.h"
 
@@ -31,9 +31,9 @@ static double roughness(const struct um_materials_lobe *lobe, double sin2, doubl
   return sqrt(ax * ax * x2 + ay * ay * (1.0 - x2));
 }
 
-double um_materials_passed_share(const struct um_materials_lobe *lobe)
+double um_materials_compensation_share(const struct um_materials_lobe *lobe)
 {
-  if (!lobe->passes_on || !lobe->kind->masked) return 0.0;
+  if (!lobe->compensated || !lobe->kind->masked) return 0.0;
   if (!um_materials_lobe_is_anisotropic(lobe)) return 1.0;
   double alpha = fmax(lobe->alpha, lobe->alpha_across),
          turn = log(lobe->alpha / lobe->alpha_across);
@@ -45,21 +45,22 @@ double um_materials_passed_share(const struct um_materials_lobe *lobe)
 
 bool um_materials_lobe_is_whole(const struct um_materials_lobe *lobe)
 {
-  if (lobe->kind == NULL || !lobe->passes_on) return false;
-  if (!lobe->kind->mixed) return um_materials_passed_share(lobe) >= 1.0;
+  if (lobe->kind == NULL || !lobe->compensated) return false;
+  if (!lobe->kind->mixed) return um_materials_compensation_share(lobe) >= 1.0;
   return lobe->mixture->of[0].kind->masked && lobe->mixture->of[1].kind->masked;
 }
 
-double um_materials_passed_on(const struct um_materials_lobe *lobe, double cosine, double along)
+double um_materials_compensation(const struct um_materials_lobe *lobe, double cosine, double along)
 {
-  double share = um_materials_passed_share(lobe);
+  double share = um_materials_compensation_share(lobe);
   if (!(share > 0.0 && cosine > 0.0)) return 1.0;
   bool beckmann = lobe->kind == &um_materials_lobe_beckmann;
   double c = fmin(cosine, 1.0), sin2 = (1.0 - c) * (1.0 + c);
   double alpha = roughness(lobe, sin2, along), width = alpha * sqrt(sin2);
   if (beckmann && alpha < 0.1 && c > 9.0 * width) return 1.0; /* |s - 1| < 1e-6 */
-  double s = um_materials_facet_at(
-      (beckmann ? um_materials_passed_beckmann : um_materials_passed_ggx)[lobe->correlated ? 1 : 0],
-      alpha, c / (c + width));
+  double s =
+      um_materials_facet_at((beckmann ? um_materials_compensation_beckmann
+                                      : um_materials_compensation_ggx)[lobe->correlated ? 1 : 0],
+                            alpha, c / (c + width));
   return 1.0 + share * (s - 1.0);
 }

@@ -1,5 +1,5 @@
-/* Surfaces by how they face. */
-#include "optics/radiance/facing_group.h"
+/* Surfaces in coplanar groups. */
+#include "optics/radiance/coplanar_group.h"
 
 #include <math.h>
 
@@ -9,21 +9,21 @@
 #define SAME_GRAIN 1e-9
 #define SAME_HALF  1e-12 /* narrow lobes depend on 1 - cos */
 
-enum um_status um_optics_facing_create(struct um_context *context, size_t nsurface,
-                                       struct um_optics_facing *facing)
+enum um_status um_optics_coplanar_create(struct um_context *context, size_t nsurface,
+                                         struct um_optics_coplanar *coplanar)
 {
-  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->sight, &facing->sight));
-  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->surface, &facing->surface));
-  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->lit_error, &facing->lit_error));
-  UM_TRY(um_core_allocate(context, nsurface + 1, sizeof *facing->first, &facing->first));
-  UM_TRY(um_core_allocate(context, nsurface, sizeof *facing->of, &facing->of));
-  return um_core_allocate(context, nsurface, sizeof *facing->seen, &facing->seen);
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *coplanar->sight, &coplanar->sight));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *coplanar->surface, &coplanar->surface));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *coplanar->lit_error, &coplanar->lit_error));
+  UM_TRY(um_core_allocate(context, nsurface + 1, sizeof *coplanar->first, &coplanar->first));
+  UM_TRY(um_core_allocate(context, nsurface, sizeof *coplanar->of, &coplanar->of));
+  return um_core_allocate(context, nsurface, sizeof *coplanar->seen, &coplanar->seen);
 }
 
-void um_optics_facing_clear(struct um_context *context, struct um_optics_facing *facing)
+void um_optics_coplanar_clear(struct um_context *context, struct um_optics_coplanar *coplanar)
 {
-  UM_FREE(context, facing->sight, facing->surface, facing->lit_error, facing->first, facing->of,
-          facing->seen);
+  UM_FREE(context, coplanar->sight, coplanar->surface, coplanar->lit_error, coplanar->first,
+          coplanar->of, coplanar->seen);
 }
 
 /* Where an instant stands in the arrays of a view. */
@@ -90,7 +90,7 @@ static struct um_optics_sight sight_of(const struct um_optics_scene *scene, cons
 /* The group of a surface among the last of them, each known by its first member. */
 static size_t group_of(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                        const struct rows *rows, size_t surface, const struct um_optics_work *work,
-                       struct um_optics_facing *f)
+                       struct um_optics_coplanar *f)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(scene->geometry);
   size_t skin = um_optics_skin(spectra, mesh, surface);
@@ -108,9 +108,10 @@ static size_t group_of(const struct um_optics_spectra *spectra, const struct um_
   return f->ngroup++;
 }
 
-void um_optics_facing_fill(const struct um_optics_spectra *spectra,
-                           const struct um_optics_scene *scene, const struct um_optics_instant *now,
-                           const struct um_optics_work *work, struct um_optics_facing *f)
+void um_optics_coplanar_fill(const struct um_optics_spectra *spectra,
+                             const struct um_optics_scene *scene,
+                             const struct um_optics_instant *now, const struct um_optics_work *work,
+                             struct um_optics_coplanar *f)
 {
   const struct um_optics_view *view = scene->view;
   struct rows rows = rows_of(view, now);
