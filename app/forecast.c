@@ -10,7 +10,7 @@
 #include "base/batch/batch.h"
 #include "base/core/constants.h"
 #include "base/core/file.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "forecast/forecast_write.h"
 #include "orbit/time.h"
 #include "study/identity.h"

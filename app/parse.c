@@ -5,8 +5,8 @@
 
 #include "app/app.h"
 #include "base/core/csv.h"
+#include "base/core/suggestions.h"
 #include "base/core/text.h"
-#include "base/core/words.h"
 
 #define OPTIONS_MAX 32 /* of one verb */
 #define FIRST_ID    256

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "app/app.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 #define CHANGES "set with without effect-file allow-effects"
 #define RESULTS "force no-plots json"

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "base/core/file.h"
-#include "base/core/held_files.h"
-#include "base/core/words.h"
+#include "base/core/file_snapshot.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 
 struct um_effects_registry {
@@ -138,7 +138,7 @@ enum um_status um_effects_registry_load(struct um_context *context,
   if (absolute == NULL && errno == ENOMEM)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory");
   if (absolute == NULL) return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-  enum um_status status = um_core_file_note(context, absolute);
+  enum um_status status = um_core_snapshot_note(context, absolute);
   if (status == UM_OK) {
     status = load(context, registry, absolute);
     if (status != UM_OK && status != UM_ERR_MEMORY) um_core_message_prefix(context, "%s", path);

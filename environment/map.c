@@ -10,7 +10,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "base/core/interpolation.h"
 #include "environment/knocke.h"
 
@@ -192,7 +192,7 @@ enum um_status um_environment_map_read(struct um_context *context, const char *p
       (n >= 4 && memcmp(head, "CDF", 3) == 0 && (head[3] == 1 || head[3] == 2 || head[3] == 5)) ||
       (n == 8 && memcmp(head, "\211HDF\r\n\032\n", 8) == 0);
   if (netcdf) {
-    UM_TRY(um_core_file_note(context, path));
+    UM_TRY(um_core_snapshot_note(context, path));
     UM_TRY(um_environment_map_read_netcdf(context, path, t_tai, out));
   } else {
     UM_TRY(um_environment_map_read_csv(context, path, out));

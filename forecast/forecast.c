@@ -6,7 +6,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/digest.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "base/core/sort.h"
 #include "forecast/forecast_impl.h"
 #include "model/build/bands.h"
@@ -127,7 +127,7 @@ static enum um_status prepare(struct um_context *context, struct held *h)
   const struct um_variant_error asked = {1e-3, 1e-3, 0.1}; /* of the heat that others start from */
   const struct um_variant_settings settings = {.instants = &h->instant,
                                                .base = um_variant_tolerance_asked(&asked, NULL)};
-  UM_TRY(um_core_files_hold(context)); /* every pass is of the same bytes */
+  UM_TRY(um_core_snapshot_begin(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
   const struct um_model *model = h->work.model = h->model;
@@ -252,7 +252,7 @@ void um_forecast_destroy(struct um_context *context, struct um_forecast **foreca
   um_variant_evaluator_destroy(context, &h->work.evaluator);
   um_model_destroy(context, &h->model);
   um_study_identity_destroy(context, &h->identity);
-  if (h->holds_files) um_core_files_let_go(context);
+  if (h->holds_files) um_core_snapshot_end(context);
   void *const block[] = {h->work.pin,   f->pass,    f->band,   f->thermal, f->vega_ab,
                          f->place,      f->station, f->value,  f->name,    h->place,
                          h->coordinate, h->band,    h->places, h};

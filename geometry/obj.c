@@ -11,7 +11,7 @@
 
 #include "base/core/csv.h"
 #include "base/core/file.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "geometry/polygon_impl.h"
 
 #define MAX_FILE_BYTES ((size_t)1 << 30)

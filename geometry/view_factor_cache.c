@@ -10,7 +10,7 @@
 
 #include "base/core/digest.h"
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "base/core/sampling.h"
 #include "geometry/view_factor_file.h"
 
@@ -43,7 +43,7 @@ static enum um_status read_file(struct um_context *context, const char *path,
   char *text = NULL;
   size_t length;
   enum um_status status = um_core_file_read(context, path, BYTES_MAX, &text, &length);
-  um_core_file_forget(context, path);
+  um_core_snapshot_forget(context, path);
   UM_TRY(status);
   if (!is_sealed(text, length))
     status = um_core_fail(context, UM_ERR_INPUT,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "evidence/diagnosis/report/plot.h"
 #include "evidence/diagnosis/report/write.h"

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "library/run_impl.h"
 #include "library/scenario_impl.h"
 #include "library/variants_impl.h"

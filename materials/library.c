@@ -4,7 +4,7 @@
 
 #include "base/core/data.h"
 #include "base/core/listing.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "materials/record_impl.h"
 
 struct um_materials_library {

@@ -10,7 +10,7 @@
 #include "base/batch/records.h"
 #include "base/core/digest.h"
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "base/core/listing.h"
 #include "base/core/text.h"
 #include "model/scenario/scenario.h"
@@ -126,7 +126,7 @@ enum um_status um_study_identity_create(struct um_context *context, const char *
   UM_CHECK(um_core_strdup(context, "", &identity->text));
   UM_CHECK(add_program(context, identity, version));
   UM_CHECK(hold_view_factors(context, model));
-  um_core_files_each(context, add_file, &adding);
+  um_core_snapshot_each(context, add_file, &adding);
   UM_CHECK(adding.status);
   UM_CHECK(add_options(context, identity, options));
   *out = identity;
@@ -241,7 +241,7 @@ static enum um_status check_list(struct um_context *context,
   UM_TRY(um_core_asprintf(context, &path, "%s/" LIST, folder));
   if (access(path, F_OK) != 0) goto done;
   status = um_core_file_read(context, path, LARGE, &was, &length);
-  um_core_file_forget(context, path); /* other shares write it, too */
+  um_core_snapshot_forget(context, path); /* other shares write it, too */
   UM_CHECK(status);
   if (digest_of(was, identity->nline, &nline) == identity->digest &&
       (nline == identity->nline || (nline > identity->nline && !whole)))
@@ -298,7 +298,7 @@ void um_study_records_remove(struct um_context *context, const char *folder)
 {
   char *path;
   if (um_core_asprintf(context, &path, "%s/" LIST, folder) == UM_OK) {
-    um_core_file_leftovers_remove(context, path);
+    um_core_file_stale_temporaries_remove(context, path);
     (void)unlink(path);
     um_core_free(context, path);
   }

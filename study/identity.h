@@ -11,9 +11,10 @@
 
 struct um_study_identity;
 
-/* The program and its version, the files that are held since um_core_files_hold and those that the
- * model will read later, the changes of the options. Names of files do not count, so that another
- * machine may have them elsewhere. UM_ERR_IO: a file cannot be read. The caller destroys. */
+/* The program and its version, the files that were read since um_core_snapshot_begin and those that
+ * the model will read later, the changes of the options. Names of files do not count, so that
+ * another machine may have them elsewhere. UM_ERR_IO: a file cannot be read. The caller destroys.
+ */
 enum um_status um_study_identity_create(struct um_context *context, const char *version,
                                         const struct um_model *model,
                                         const struct um_model_options *options,

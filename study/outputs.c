@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/build/bands.h"
 #include "study/study_impl.h"
 

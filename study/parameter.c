@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "model/build/effects.h"
 

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "evidence/measurements/measurements.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
@@ -97,7 +97,7 @@ static enum um_status prepare(struct um_context *context, const char *path, stru
   study->accuracy.tolerance = um_variant_tolerance_asked(&asked, NULL); /* until it is measured */
   UM_TRY(um_core_path_resolve(context, path, study->file->scenario, &study->scenario));
   UM_TRY(find_measurements(context, path, study));
-  UM_TRY(um_core_files_hold(context));
+  UM_TRY(um_core_snapshot_begin(context));
   study->holds_files = true;
   UM_TRY(um_model_create(context, study->scenario, &study->options.model, &study->model));
   if (study->model->points)
@@ -132,7 +132,7 @@ void um_study_destroy(struct um_context *context, struct um_study **study)
   um_variant_evaluator_destroy(context, &s->evaluator);
   um_model_destroy(context, &s->model);
   um_study_identity_destroy(context, &s->identity);
-  if (s->holds_files) um_core_files_let_go(context);
+  if (s->holds_files) um_core_snapshot_end(context);
   UM_FREE(context, s->binding, s->moves_geometry, s->moves_heat, s->output, s->nominal, s->scale,
           s->curve, s->scenario, s->measurements);
   um_variant_accuracy_release(context, &s->accuracy);

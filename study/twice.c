@@ -2,7 +2,7 @@
  * would state values of the other that no point was computed with. */
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "study/parameter_impl.h"
 
 #define PLACE 1024 /* longest place of a key [byte] */

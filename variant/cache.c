@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/build/build.h"
 #include "model/geometry/compatible.h"
 

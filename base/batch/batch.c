@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "base/batch/scheduler_impl.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 #define NAMED_MOST 10 /* points by their numbers in one message */
 

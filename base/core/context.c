@@ -23,7 +23,7 @@ struct um_context {
   const char *task;
   size_t done, total;
   int quiet; /* um_core_quiet_begin less um_core_quiet_end */
-  struct um_core_held_files *held;
+  struct um_core_snapshot *snapshot;
   um_core_stop_source stop_source;
   void *stop_self;
   char *data, *cache; /* folders; NULL: none */
@@ -71,9 +71,9 @@ void um_core_context_destroy(struct um_context **context)
   *context = NULL;
 }
 
-struct um_core_held_files **um_core_context_held_files(struct um_context *context)
+struct um_core_snapshot **um_core_context_snapshot(struct um_context *context)
 {
-  return &context->held;
+  return &context->snapshot;
 }
 
 void um_core_context_set_threads(struct um_context *context, int threads)

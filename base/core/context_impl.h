@@ -4,8 +4,8 @@
 
 #include "base/core/context.h"
 
-/* Where held_files.c keeps its list; NULL in it: nothing is held. */
-struct um_core_held_files;
-struct um_core_held_files **um_core_context_held_files(struct um_context *context);
+/* Where file_snapshot.c keeps its list; NULL in it: there is no snapshot. */
+struct um_core_snapshot;
+struct um_core_snapshot **um_core_context_snapshot(struct um_context *context);
 
 #endif

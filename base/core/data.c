@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "base/core/listing.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 static bool is_folder(const char *path)
 {

@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/core/held_files_impl.h"
+#include "base/core/file_snapshot_impl.h"
 
 #define PIECE ((size_t)16 << 20) /* read between two looks at the stop [bytes] */
 
@@ -61,13 +61,13 @@ enum um_status um_core_file_read(struct um_context *context, const char *path, s
   *out = NULL;
   *length = 0;
   bool found;
-  UM_TRY(um_core_held_files_find(context, path, out, length, &found));
+  UM_TRY(um_core_snapshot_find(context, path, out, length, &found));
   if (found) return UM_OK; /* within the limit: the same reader asks again */
   FILE *file;
   UM_TRY(um_core_file_open(context, path, &file));
   enum um_status status = read_open_file(context, path, file, limit, out, length);
   fclose(file);
-  if (status == UM_OK) status = um_core_held_files_add(context, path, *out, *length);
+  if (status == UM_OK) status = um_core_snapshot_add(context, path, *out, *length);
   if (status != UM_OK) {
     um_core_free(context, *out);
     *out = NULL;
@@ -130,7 +130,7 @@ enum um_status um_core_whole_begin(struct um_context *context, const char *path,
 {
   *out = (struct um_core_whole_file){.path = path};
   UM_TRY(um_core_file_partial(context, path, &out->partial));
-  um_core_file_leftovers_remove(context, path);
+  um_core_file_stale_temporaries_remove(context, path);
   out->file = fopen(out->partial, "wb");
   if (out->file != NULL) return UM_OK;
   um_core_free(context, out->partial);

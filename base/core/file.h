@@ -44,7 +44,7 @@ enum um_status um_core_file_sync(struct um_context *context, const char *name, F
 /* "dir/.name.partial-<pid>" beside `path`, to be written and renamed; the caller frees. */
 enum um_status um_core_file_partial(struct um_context *context, const char *path, char **out);
 /* Remove ".name.partial-<pid>..." beside `path` of processes that have died. Does not fail. */
-void um_core_file_leftovers_remove(struct um_context *context, const char *path);
+void um_core_file_stale_temporaries_remove(struct um_context *context, const char *path);
 
 /* A file that appears whole: written beside `path` (borrowed), renamed at the end. */
 struct um_core_whole_file {

@@ -1,7 +1,7 @@
 /* An output folder that appears whole: written beside its place under a temporary name, brought to
  * the disk, then renamed; where a folder stands there already, the two change places in one step if
  * the file system can. A folder of Umbra carries the marker file ".umbra", which its writer keeps
- * locked: what a dead process left is known by the free lock (leftover.c). */
+ * locked: what a dead process left is known by the free lock (stale_temporaries.c). */
 #define _GNU_SOURCE /* renameat2 */
 #include <errno.h>
 #include <fcntl.h>
@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "base/core/file.h"
-#include "base/core/leftover_impl.h"
+#include "base/core/stale_temporaries_impl.h"
 
 #define MARKER     UM_CORE_FOLDER_MARKER
 #define NAME_TRIES 100
@@ -191,7 +191,7 @@ enum um_status um_core_folder_begin(struct um_context *context, const char *path
   UM_CHECK(clean_target(context, path, &folder->target));
   UM_CHECK(check_target(context, folder->target, force, &exists));
   UM_CHECK(um_core_parents_make(context, folder->target, &folder->parent_made));
-  um_core_leftovers_remove(context, folder->target);
+  um_core_stale_temporaries_remove(context, folder->target);
   UM_CHECK(make_partial(context, folder));
   UM_CHECK(write_marker(context, folder));
   *out = folder;

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "base/document/document_impl.h"
 
 #define NEXT "+" /* the element behind the last one of a list */

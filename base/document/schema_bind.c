@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "base/document/document_impl.h"
 
 struct binder {

@@ -1,7 +1,7 @@
 /* Which keys a mapping has: unknown ones, and those that exclude each other. */
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "base/document/document_impl.h"
 
 const struct um_schema_field *um_document_schema_find(const struct um_schema_object *object,

@@ -1,7 +1,7 @@
 /* Paths of keys in a schema. */
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "base/document/document_impl.h"
 
 #define DEPTH_MAX 12

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "base/document/schema.h"
 
 static void append(char *buffer, size_t size, const char *text)

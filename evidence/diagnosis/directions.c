@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {

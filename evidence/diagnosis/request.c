@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "evidence/diagnosis/steps_impl.h"
 #include "model/build/effect_files.h"

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 static bool same_use(const struct um_model_addition *a, const struct um_model_addition *b)
 {

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "evidence/inversion/fold.h"
 
 static enum um_status search(struct um_context *context, const struct um_compare_measurements *m,

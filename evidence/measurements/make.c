@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/core/constants.h"
+#include "base/core/suggestions.h"
 #include "base/core/text.h"
-#include "base/core/words.h"
 #include "evidence/measurements/set_group.h"
 
 #define MAGNITUDE_MAX 40.0 /* [mag], as in a file */

@@ -9,7 +9,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/csv.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "evidence/measurements/set_group.h"
 #include "orbit/time_form.h"
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "evidence/sensitivity/signatures_impl.h"
 #include "evidence/sensitivity/stated.h"

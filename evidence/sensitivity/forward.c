@@ -5,8 +5,8 @@
 #include <omp.h>
 #include <string.h>
 
-#include "base/core/held_files.h"
-#include "base/core/words.h"
+#include "base/core/file_snapshot.h"
+#include "base/core/suggestions.h"
 #include "evidence/comparison/residual.h"
 #include "evidence/inversion/refine.h"
 #include "evidence/sensitivity/forward_impl.h"
@@ -274,7 +274,7 @@ enum um_status um_sensitivity_forward_create(struct um_context *context, const c
   f->tolerance_factor = tolerance_factor;
   f->cache->noise = NAN;
   if (options != NULL) f->options = *options;
-  UM_CHECK(um_core_files_hold(context));
+  UM_CHECK(um_core_snapshot_begin(context));
   f->holds_files = true;
   UM_CHECK(um_model_create(context, path, options, &f->model));
   UM_CHECK(um_compare_plan_create(context, f->model, measurements, &f->plan));
@@ -304,7 +304,7 @@ void um_sensitivity_forward_destroy(struct um_context *context,
   um_variant_evaluator_destroy(context, &f->evaluator);
   um_compare_plan_destroy(context, &f->plan);
   um_model_destroy(context, &f->model);
-  if (f->holds_files) um_core_files_let_go(context);
+  if (f->holds_files) um_core_snapshot_end(context);
   um_core_free(context, f);
   *forward = NULL;
 }

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 void um_sensitivity_moves_destroy(struct um_context *context, struct um_sensitivity_moves **moves)
 {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/scenario/scenario.h"
 #include "optics/instrument/grey_body.h"
 

@@ -6,8 +6,8 @@
 
 #include "base/core/constants.h"
 #include "model/build/effects_group.h"
+#include "model/build/messages_group.h"
 #include "model/build/timeline.h"
-#include "model/build/words_group.h"
 #include "orbit/attitude.h"
 
 /* A NUMBERS value that must have exactly n elements. */

@@ -11,9 +11,9 @@
 #include <math.h>
 
 #include "geometry/inside.h"
+#include "model/build/messages_group.h"
 #include "model/build/timeline.h"
 #include "model/build/view_factors_group.h"
-#include "model/build/words_group.h"
 
 /* Angles of the joints at the start of the scenario. */
 static enum um_status angles_at_start(struct um_context *context, const struct um_model *model,

@@ -3,7 +3,7 @@
 
 #include "base/core/constants.h"
 #include "model/build/effects_group.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 /* A group's own creases come before its part's, which a group without the part's MLI has not. */
 const struct um_scenario_creases *um_model_creases_of(const struct um_scenario_part *part,

@@ -8,7 +8,7 @@
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
 #include "model/build/effects_group.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 /* Kilometres along the ground as an angle at the geocentre. */
 static double ground_angle(const struct um_model *model, double km)

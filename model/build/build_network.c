@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 #define NONE ((size_t)-1)
 

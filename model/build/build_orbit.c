@@ -7,7 +7,7 @@
 #include "base/core/constants.h"
 #include "base/core/file.h"
 #include "model/build/effects_group.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 #include "orbit/sun.h"
 #include "orbit/time.h"
 

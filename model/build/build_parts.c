@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/build/aging_group.h"
 #include "model/build/effects_group.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 static const struct um_scenario_part *part_at(const struct um_model *model, size_t i)
 {

@@ -2,7 +2,7 @@
 #include "model/build/steps_impl.h"
 
 #include "base/core/csv.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 #include "orbit/time.h"
 
 /* Rows in order; two at one time are a jump, more would hide one. */

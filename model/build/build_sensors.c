@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "model/build/bands.h"
+#include "model/build/messages_group.h"
 #include "model/build/sensor_preset.h"
 #include "model/build/steps_impl.h"
-#include "model/build/words_group.h"
 #include "optics/instrument/filter.h"
 
 /* Mean of a curve over each bin of a band, multiplied into `to`. */

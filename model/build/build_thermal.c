@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/build/effects_group.h"
+#include "model/build/messages_group.h"
 #include "model/build/start_offset_group.h"
-#include "model/build/words_group.h"
 
 /* Working arrays of one build; everything in them lives as long as the document. */
 struct assembly {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "effects/effects.h"
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 /* Does the command line name the file that stands at `path`? */
 static bool is_named(const struct um_model_options *options, const char *path)

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "model/build/bands.h"
 #include "model/build/effect_files.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/scenario/fail_group.h"
 
 size_t um_model_interior_count(const struct um_scenario_part *part)

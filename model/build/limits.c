@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/scenario/fail_group.h"
 
 static enum um_status fail_unknown(struct um_context *context, const struct um_model *model,

@@ -13,7 +13,7 @@
 
 #include "base/core/csv.h"
 #include "base/core/file.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/scenario/scenario_schema.h"
 
 /* Texts that are overrides of a document. */

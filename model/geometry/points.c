@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/words.h"
-#include "model/build/words_group.h"
+#include "base/core/suggestions.h"
+#include "model/build/messages_group.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/line_of_sight_impl.h"
 #include "model/geometry/precompute.h"

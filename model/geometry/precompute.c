@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "model/build/effects_group.h"
+#include "model/build/messages_group.h"
 #include "model/build/timeline.h"
-#include "model/build/words_group.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/bounds_impl.h"
 #include "model/geometry/line_of_sight_impl.h"

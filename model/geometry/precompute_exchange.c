@@ -6,7 +6,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/file.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "geometry/inside.h"
 #include "model/build/view_factors_group.h"
 #include "model/geometry/body_tables.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "effects/effects.h"
 #include "model/build/build.h"
 #include "model/build/effect_files.h"
@@ -211,7 +211,7 @@ static void changed_objects_are_refused(void **state)
   assert_true(example != NULL && fseek(example, 0, SEEK_END) == 0);
   write_cut(file, (size_t)ftell(example));
   fclose(example);
-  assert_int_equal(um_core_files_hold(case_context()), UM_OK);
+  assert_int_equal(um_core_snapshot_begin(case_context()), UM_OK);
   assert_int_equal(um_effects_registry_create(case_context(), &registry), UM_OK);
   assert_int_equal(um_effects_registry_load(case_context(), registry, file), UM_OK);
   FILE *more = fopen(file, "ab");
@@ -223,7 +223,7 @@ static void changed_objects_are_refused(void **state)
   assert_null(strstr(name + 1, "changed.so"));
   um_core_message_clear(case_context());
   um_effects_registry_destroy(case_context(), &registry);
-  um_core_files_let_go(case_context());
+  um_core_snapshot_end(case_context());
   remove(file);
 }
 

@@ -11,7 +11,7 @@
 #include "check.h"
 
 #include "base/core/constants.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
 
@@ -262,17 +262,17 @@ static void ceres_held(void **state)
   (void)state;
   struct um_environment_map *map;
   int n = 0;
-  assert_int_equal(um_core_files_hold(context), UM_OK);
+  assert_int_equal(um_core_snapshot_begin(context), UM_OK);
   write_ceres("");
   map = read_map();
   um_environment_map_destroy(context, &map);
-  um_core_files_each(context, count, &n);
+  um_core_snapshot_each(context, count, &n);
   assert_int_equal(n, 1);
   write_ceres("nothing");
   assert_int_equal(um_environment_map_read(context, path, EQUINOX, &map), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "has changed since it was read first"));
   um_core_message_clear(context);
-  um_core_files_let_go(context);
+  um_core_snapshot_end(context);
 }
 
 static void refused(const char *what)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "model/build/build.h"
 #include "study/identity.h"
 #include "tests/fuzz/fuzz.h"
@@ -19,7 +19,7 @@ static const struct um_study_identity *identity_of_all(void)
   const struct um_model_options options = {0};
   if (identity != NULL) return identity;
   setenv("UMBRA_DATA", UMBRA_SOURCE_DIR "/tests/fuzz/data", 1);
-  if (um_core_context_create(NULL, &own) != UM_OK || um_core_files_hold(own) != UM_OK ||
+  if (um_core_context_create(NULL, &own) != UM_OK || um_core_snapshot_begin(own) != UM_OK ||
       um_model_create(own, um_fuzz_file(0, wing, sizeof wing - 1), &options, &model) != UM_OK ||
       um_study_identity_create(own, "0", model, &options, &identity) != UM_OK)
     um_fuzz_finding("no identity: %s", own == NULL ? "" : um_core_message(own));

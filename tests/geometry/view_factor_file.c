@@ -10,7 +10,7 @@
 
 #include "base/core/csv.h"
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "geometry/inside.h"
 #include "tests/geometry/support.h"
 #include "tests/support/allocator.h"
@@ -261,15 +261,15 @@ static void cache_changed(void **state)
     } else {
       for_files(folder, change_file);
     }
-    assert_int_equal(um_core_files_hold(s.context), UM_OK);
+    assert_int_equal(um_core_snapshot_begin(s.context), UM_OK);
     for (int again = 0; again < 2; again++) { /* a second time it is good, though files are held */
       t = table_of(&s, folder, NULL);
       assert_same(rays, t);
       um_geometry_view_factor_table_destroy(s.context, &t);
       assert_int_equal(warnings(&s) - before, change == give_and_seal ? 1 : 2);
     }
-    um_core_files_each(s.context, no_file, NULL); /* it is no input of the user's */
-    um_core_files_let_go(s.context);
+    um_core_snapshot_each(s.context, no_file, NULL); /* it is no input of the user's */
+    um_core_snapshot_end(s.context);
   }
   for_files(folder, drop);
   assert_int_equal(um_test_folder_remove(folder), 0);

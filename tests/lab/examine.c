@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "evidence/diagnosis/diagnose.h"
 #include "evidence/diagnosis/request.h"
 #include "tests/lab/lab.h"

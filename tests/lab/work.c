@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "tests/lab/lab.h"
 
 #define CHUNK 25 /* seeds that share one truth */

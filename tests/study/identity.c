@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 #include "model/build/build.h"
 #include "tests/fuzz/wing.h"
 #include "tests/support/cmocka_all.h"
@@ -39,10 +39,10 @@ static void test_list_changes(void **state)
   um_test_file_create(path, wing, sizeof wing - 1);
   assert_int_equal(um_test_folder_create(folder), 0);
   snprintf(list, sizeof list, "%s/made-of.txt", folder);
-  OK(um_core_files_hold(context));
+  OK(um_core_snapshot_begin(context));
   OK(um_model_create(context, path, &options, &model));
   OK(um_study_identity_create(context, "0", model, &options, &identity));
-  um_core_files_each(context, count, &before);
+  um_core_snapshot_each(context, count, &before);
   const struct um_batch_task task = {.work.ncoordinate = 1, .work.nvalue = 1, .folder = folder};
   OK(um_study_identity_open(context, identity, &task, &batch));
   um_batch_close(context, &batch);
@@ -53,13 +53,13 @@ static void test_list_changes(void **state)
   assert_int_equal(fclose(file), 0);
   assert_int_equal(um_study_identity_check(context, identity, folder), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "the program has other bytes than when these"));
-  um_core_files_each(context, count, &after);
+  um_core_snapshot_each(context, count, &after);
   assert_int_equal(after, before); /* the list is no part of what it lists */
   um_study_records_remove(context, folder);
   assert_int_not_equal(access(folder, F_OK), 0);
   um_study_identity_destroy(context, &identity);
   um_model_destroy(context, &model);
-  um_core_files_let_go(context);
+  um_core_snapshot_end(context);
   unlink(path);
 }
 

@@ -23,7 +23,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 
 struct sample {
   uint32_t vertex, node;

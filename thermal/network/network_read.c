@@ -9,7 +9,7 @@
 
 #include "base/core/csv.h"
 #include "base/core/sort.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "thermal/network/network_group.h"
 
 /* Column or 0 when the field is empty. */

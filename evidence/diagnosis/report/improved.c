@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include "base/core/file.h"
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "model/build/effect_files.h"
 #include "model/build/scenario_text.h"
 

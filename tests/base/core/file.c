@@ -2,7 +2,7 @@
  * fresh folder below the working folder of the test. */
 #define _GNU_SOURCE /* flock */
 #include "base/core/file.h"
-#include "base/core/held_files.h"
+#include "base/core/file_snapshot.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -195,12 +195,12 @@ static void test_held(void **state)
   char *text;
   size_t length;
   for (size_t i = 0; i < 3; i++) write_file(file[i].path, file[i].text);
-  assert_int_equal(um_core_file_note(context, "b.so"), UM_OK); /* nothing is held */
-  assert_int_equal(um_core_files_hold(context), UM_OK);
+  assert_int_equal(um_core_snapshot_note(context, "b.so"), UM_OK); /* nothing is held */
+  assert_int_equal(um_core_snapshot_begin(context), UM_OK);
   for (int again = 0; again < 2; again++) {
     for (size_t i = 0; i < 3; i++) {
       if (i == 1) {
-        assert_int_equal(um_core_file_note(context, "b.so"), UM_OK);
+        assert_int_equal(um_core_snapshot_note(context, "b.so"), UM_OK);
         continue;
       }
       assert_int_equal(um_core_file_read(context, file[i].path, 9, &text, &length), UM_OK);
@@ -209,37 +209,37 @@ static void test_held(void **state)
     }
     write_file("a.txt", "others");
   }
-  um_core_files_each(context, list, &listed);
+  um_core_snapshot_each(context, list, &listed);
   assert_int_equal(listed.n, 3);
   for (size_t i = 0; i < 3; i++) {
     assert_string_equal(listed.path[i], file[i].path);
     assert_true(listed.digest[i] == file[i].digest);
   }
   /* a second holder lists what it uses itself */
-  assert_int_equal(um_core_files_hold(context), UM_OK);
-  assert_int_equal(um_core_file_note(context, "b.so"), UM_OK);
+  assert_int_equal(um_core_snapshot_begin(context), UM_OK);
+  assert_int_equal(um_core_snapshot_note(context, "b.so"), UM_OK);
   assert_int_equal(um_core_file_read(context, "a.txt", 9, &text, &length), UM_OK);
   um_core_free(context, text);
   listed.n = 0;
-  um_core_files_each(context, list, &listed);
+  um_core_snapshot_each(context, list, &listed);
   assert_int_equal(listed.n, 2);
   assert_string_equal(listed.path[0], "b.so");
   assert_string_equal(listed.path[1], "a.txt");
-  um_core_files_let_go(context);
+  um_core_snapshot_end(context);
   write_file("b.so", "ab");
   um_core_message_clear(context);
-  assert_int_equal(um_core_file_note(context, "b.so"), UM_ERR_IO);
+  assert_int_equal(um_core_snapshot_note(context, "b.so"), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "b.so: has changed since it was read first"));
   /* a map that was a table and is a netCDF file now, or the other way round */
   um_core_message_clear(context);
-  assert_int_equal(um_core_file_note(context, "a.txt"), UM_ERR_IO);
+  assert_int_equal(um_core_snapshot_note(context, "a.txt"), UM_ERR_IO);
   assert_non_null(strstr(um_core_message(context), "a.txt: has changed since it was read first"));
   um_core_message_clear(context);
   assert_int_equal(um_core_file_read(context, "b.so", 9, &text, &length), UM_ERR_IO);
   assert_null(text);
   assert_non_null(strstr(um_core_message(context), "b.so: has changed since it was read first"));
   um_core_message_clear(context);
-  um_core_files_let_go(context);
+  um_core_snapshot_end(context);
   assert_int_equal(um_core_file_read(context, "a.txt", 9, &text, &length), UM_OK);
   assert_string_equal(text, "others");
   um_core_free(context, text);
@@ -429,7 +429,7 @@ static void remove_left(const char *path)
 
 /* Of the folders beside a new one those of dead processes go; those of living ones, of others who
  * hold the lock, and what only looks like them stay. */
-static void test_leftovers(void **state)
+static void test_stale_temporaries(void **state)
 {
   (void)state;
   char dead[100], old[100], living[100], locked[100], marker[128];
@@ -504,7 +504,7 @@ int main(void)
       cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_target_appears_meanwhile),
       cmocka_unit_test(test_disk_full),
-      cmocka_unit_test(test_leftovers),
+      cmocka_unit_test(test_stale_temporaries),
       cmocka_unit_test(test_old_is_put_back),
       cmocka_unit_test(test_stop_publishes_nothing),
   };

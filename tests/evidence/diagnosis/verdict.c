@@ -218,7 +218,7 @@ static void allowance_is_said(void **state)
 
 /* Certain without an alternative or where all are implausible, one of a group, small below 20;
  * where chi-square is too large, differences are worth less. */
-static void standings(void **state)
+static void confidence_classes(void **state)
 {
   (void)state;
   struct um_diagnosis_alternative a[2] = {{.fitted = true, .bic = 100.0},
@@ -304,7 +304,7 @@ static void abstaining_begins_with_the_residual(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(allowance_is_said),    cmocka_unit_test(standings),
+      cmocka_unit_test(allowance_is_said),    cmocka_unit_test(confidence_classes),
       cmocka_unit_test(superseded_stays),     cmocka_unit_test(abstaining_begins_with_the_residual),
       cmocka_unit_test(prior_is_said),        cmocka_unit_test(range_is_said),
       cmocka_unit_test(values_are_whole),     cmocka_unit_test(next_is_at_high_airmass),

@@ -1,5 +1,5 @@
-/* Words in messages. */
-#include "base/core/words.h"
+/* Suggestions in messages. */
+#include "base/core/suggestions.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "base/core/file.h"
-#include "base/core/leftover_impl.h"
+#include "base/core/stale_temporaries_impl.h"
 
 static int remove_entry(const char *path, const struct stat *st, int kind, struct FTW *ftw)
 {
@@ -101,7 +101,7 @@ static void take_away(struct um_context *context, const char *target, const char
     um_core_log(context, UM_LOG_INFO, "%s: left by a run that was ended, removed", path);
 }
 
-void um_core_leftovers_remove(struct um_context *context, const char *target)
+void um_core_stale_temporaries_remove(struct um_context *context, const char *target)
 {
   const char *slash = strrchr(target, '/'), *name = slash == NULL ? target : slash + 1;
   int n = (int)(name - target);
@@ -121,9 +121,9 @@ void um_core_leftovers_remove(struct um_context *context, const char *target)
   closedir(all);
 }
 
-void um_core_file_leftovers_remove(struct um_context *context, const char *path)
+void um_core_file_stale_temporaries_remove(struct um_context *context, const char *path)
 {
-  um_core_leftovers_remove(context, path);
+  um_core_stale_temporaries_remove(context, path);
 }
 
 enum um_status um_core_file_sync(struct um_context *context, const char *name, FILE *file)

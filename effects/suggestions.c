@@ -1,6 +1,6 @@
 /* Names of effects for messages; and those of effects and parameters that do not exist: what could
  * have been meant, and what there is. */
-#include "base/core/words.h"
+#include "base/core/suggestions.h"
 #include "effects/effects.h"
 
 enum um_status um_effects_registry_refuse(struct um_context *context,

@@ -1,6 +1,6 @@
-/* While files are held, every one is read once and served from memory again, so that what is built
- * many times is built from the same bytes though somebody edits them meanwhile. What others read, a
- * library or the loader, is not in memory: it must stay what it was. */
+/* While a snapshot of files lasts, every one is read once and served from memory again, so that
+ * what is built many times is built from the same bytes though somebody edits them meanwhile. What
+ * others read, a library or the loader, is not in memory: it must stay what it was. */
 #include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 
 #include "base/core/digest.h"
-#include "base/core/held_files.h"
-#include "base/core/held_files_impl.h"
+#include "base/core/file_snapshot.h"
+#include "base/core/file_snapshot_impl.h"
 #include "base/core/plain_file.h"
 
 #define PIECE ((size_t)1 << 20) /* read between two looks at the stop [bytes] */
@@ -19,20 +19,21 @@ struct held {
   size_t length;
   uint64_t digest;
   struct stat state; /* of what others read */
-  size_t use; /* the how many-th file that was used since the last um_core_files_hold; 0: not yet */
+  size_t use; /* the how many-th file that was used since the last um_core_snapshot_begin; 0: not
+                 yet */
 };
 
-struct um_core_held_files {
+struct um_core_snapshot {
   size_t holders, count, used;
   struct held *file; /* [count] */
 };
 
-static void note_use(struct um_core_held_files *h, struct held *file)
+static void note_use(struct um_core_snapshot *h, struct held *file)
 {
   if (file->use == 0) file->use = ++h->used;
 }
 
-static struct held *find(struct um_core_held_files *h, const char *path)
+static struct held *find(struct um_core_snapshot *h, const char *path)
 {
   for (size_t i = 0; h != NULL && i < h->count; i++)
     if (strcmp(h->file[i].path, path) == 0) return &h->file[i];
@@ -54,9 +55,9 @@ static enum um_status copy(struct um_context *context, const char *text, size_t 
   return UM_OK;
 }
 
-enum um_status um_core_files_hold(struct um_context *context)
+enum um_status um_core_snapshot_begin(struct um_context *context)
 {
-  struct um_core_held_files **held = um_core_context_held_files(context);
+  struct um_core_snapshot **held = um_core_context_snapshot(context);
   if (*held == NULL) UM_TRY(um_core_allocate(context, 1, sizeof **held, held));
   (*held)->holders++;
   for (size_t i = 0; i < (*held)->count; i++) (*held)->file[i].use = 0;
@@ -64,9 +65,9 @@ enum um_status um_core_files_hold(struct um_context *context)
   return UM_OK;
 }
 
-void um_core_files_let_go(struct um_context *context)
+void um_core_snapshot_end(struct um_context *context)
 {
-  struct um_core_held_files **held = um_core_context_held_files(context), *h = *held;
+  struct um_core_snapshot **held = um_core_context_snapshot(context), *h = *held;
   if (h == NULL || --h->holders > 0) return;
   for (size_t i = 0; i < h->count; i++) {
     UM_FREE(context, h->file[i].path, h->file[i].text);
@@ -75,18 +76,18 @@ void um_core_files_let_go(struct um_context *context)
   *held = NULL;
 }
 
-void um_core_files_each(struct um_context *context,
-                        void (*each)(void *self, const char *path, uint64_t digest), void *self)
+void um_core_snapshot_each(struct um_context *context,
+                           void (*each)(void *self, const char *path, uint64_t digest), void *self)
 {
-  const struct um_core_held_files *h = *um_core_context_held_files(context);
+  const struct um_core_snapshot *h = *um_core_context_snapshot(context);
   for (size_t use = 1; h != NULL && use <= h->used; use++)
     for (size_t i = 0; i < h->count; i++)
       if (h->file[i].use == use) each(self, h->file[i].path, h->file[i].digest);
 }
 
-void um_core_file_forget(struct um_context *context, const char *path)
+void um_core_snapshot_forget(struct um_context *context, const char *path)
 {
-  struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct um_core_snapshot *h = *um_core_context_snapshot(context);
   struct held *file = find(h, path);
   if (file == NULL) return;
   UM_FREE(context, file->path, file->text);
@@ -132,7 +133,7 @@ static bool same_state(const struct stat *a, const struct stat *b)
 
 static enum um_status append(struct um_context *context, const char *path, struct held file)
 {
-  struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct um_core_snapshot *h = *um_core_context_snapshot(context);
   enum um_status status;
   UM_CHECK(um_core_strdup(context, path, &file.path));
   UM_CHECK(um_core_reallocate(context, h->count + 1, sizeof *h->file, &h->file));
@@ -144,9 +145,9 @@ done:
   return status;
 }
 
-enum um_status um_core_file_note(struct um_context *context, const char *path)
+enum um_status um_core_snapshot_note(struct um_context *context, const char *path)
 {
-  struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct um_core_snapshot *h = *um_core_context_snapshot(context);
   struct held file = {.length = 0};
   if (h == NULL) return UM_OK;
   if (stat(path, &file.state) != 0)
@@ -163,10 +164,10 @@ enum um_status um_core_file_note(struct um_context *context, const char *path)
 
 /* --- what is read here ----------------------------------------------------------------------- */
 
-enum um_status um_core_held_files_find(struct um_context *context, const char *path, char **out,
-                                       size_t *length, bool *found)
+enum um_status um_core_snapshot_find(struct um_context *context, const char *path, char **out,
+                                     size_t *length, bool *found)
 {
-  struct um_core_held_files *h = *um_core_context_held_files(context);
+  struct um_core_snapshot *h = *um_core_context_snapshot(context);
   struct held *file = find(h, path);
   *found = file != NULL;
   if (file == NULL) return UM_OK;
@@ -177,11 +178,11 @@ enum um_status um_core_held_files_find(struct um_context *context, const char *p
   return UM_OK;
 }
 
-enum um_status um_core_held_files_add(struct um_context *context, const char *path,
-                                      const char *text, size_t length)
+enum um_status um_core_snapshot_add(struct um_context *context, const char *path, const char *text,
+                                    size_t length)
 {
   struct held file = {.length = length, .digest = UM_CORE_DIGEST_BEGIN};
-  if (*um_core_context_held_files(context) == NULL) return UM_OK;
+  if (*um_core_context_snapshot(context) == NULL) return UM_OK;
   file.digest = um_core_digest(file.digest, text, length);
   UM_TRY(copy(context, text, length, &file.text));
   return append(context, path, file);

@@ -1,6 +1,7 @@
-/* Words in messages: lists of what is accepted, and the nearest of them to what was written. */
-#ifndef UMBRA_CORE_WORDS_H
-#define UMBRA_CORE_WORDS_H
+/* Suggestions in messages: lists of what is accepted, and the nearest of them to what was written.
+ */
+#ifndef UMBRA_CORE_SUGGESTIONS_H
+#define UMBRA_CORE_SUGGESTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* What the steps of building share: paths, messages with file and line of a part or table,
  * directions. */
-#include "model/build/words_group.h"
+#include "model/build/messages_group.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Words in messages. Edit distances: by hand, the classic kitten-sitting among them. */
-#include "base/core/words.h"
+/* Suggestions in messages. Edit distances: by hand, the classic kitten-sitting among them. */
+#include "base/core/suggestions.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* Private to base/core/: what a folder in the making needs of the file system, and what dead ones
  * left.
  */
-#ifndef UMBRA_CORE_LEFTOVER_IMPL_H
-#define UMBRA_CORE_LEFTOVER_IMPL_H
+#ifndef UMBRA_CORE_STALE_TEMPORARIES_IMPL_H
+#define UMBRA_CORE_STALE_TEMPORARIES_IMPL_H
 
 #include "base/core/context.h"
 
@@ -17,6 +17,6 @@ void um_core_folder_sync_parent(const char *path);
 /* Remove what processes that have died left beside `target`: ".name.partial-<pid>...", folder or
  * file, and ".name.old-<pid>...", which is put back where `target` is missing. Those of living
  * processes stay. What cannot be removed stays too. */
-void um_core_leftovers_remove(struct um_context *context, const char *target);
+void um_core_stale_temporaries_remove(struct um_context *context, const char *target);
 
 #endif

@@ -1,7 +1,7 @@
 /* What the steps of building share: paths, messages with file and line of a part or table,
  * directions. Private to the rooms of model/. */
-#ifndef UMBRA_MODEL_WORDS_GROUP_H
-#define UMBRA_MODEL_WORDS_GROUP_H
+#ifndef UMBRA_MODEL_MESSAGES_GROUP_H
+#define UMBRA_MODEL_MESSAGES_GROUP_H
 
 #include "model/build/model.h"
 #include "model/scenario/fail_group.h"
