@@ -36,7 +36,7 @@ struct trace {
   double *density, *each; /* [npatch] rays per area, [nmember] area of a ray */
   struct um_geometry_ray *ray;
   struct um_geometry_hit *hit;
-  struct um_geometry_mirrored_way *way; /* tag: member */
+  struct um_geometry_mirrored_path *path; /* tag: member */
   struct end *end;
   size_t nend, room;
   struct um_geometry_mirror_paths *out;
@@ -114,7 +114,7 @@ static enum um_status end_put(struct trace *t, struct end end)
 static enum um_status ends_take(struct trace *t, size_t n)
 {
   for (size_t k = 0; k < n; k++) {
-    size_t member = t->way[k].tag;
+    size_t member = t->path[k].tag;
     uint32_t from = t->patches->patch[t->patches->surface[member]], sets;
     bool sky = t->hit[k].facet == UM_GEOMETRY_NONE;
     uint32_t surface = sky ? UM_GEOMETRY_NONE : t->hit[k].surface;
@@ -122,13 +122,13 @@ static enum um_status ends_take(struct trace *t, size_t n)
     uint32_t to = sky ? (uint32_t)um_geometry_cube_cell(UM_GEOMETRY_SKY_SIDE, t->ray[k].direction)
                       : t->patches->patch[surface];
     if (to == UM_GEOMETRY_NONE) continue; /* grazed within the rounding of a plane */
-    UM_TRY(um_geometry_mirror_sets_find(t->context, &t->out->sets, &t->way[k].met, &sets));
+    UM_TRY(um_geometry_mirror_sets_find(t->context, &t->out->sets, &t->path[k].met, &sets));
     double area = t->each[member];
     if (sky) {
       UM_TRY(end_put(t, (struct end){from, to, sets, true, false, area}));
       continue;
     }
-    if (t->way[k].met.n == UM_GEOMETRY_MIRRORS_DEEPEST &&
+    if (t->path[k].met.n == UM_GEOMETRY_MIRRORS_DEEPEST &&
         t->mirrors->of[surface] != UM_GEOMETRY_NO_MIRROR)
       t->out->deepest++;
     area *= t->density[from];
@@ -142,13 +142,13 @@ static enum um_status ends_take(struct trace *t, size_t n)
 static enum um_status batch_run(struct trace *t, size_t n)
 {
   closest(t, n);
-  n = um_geometry_mirrored_turn(t->mesh, t->pose, t->mirrors, t->ray, t->way, t->hit, n);
+  n = um_geometry_mirrored_turn(t->mesh, t->pose, t->mirrors, t->ray, t->path, t->hit, n);
   t->out->rays += n;
   while (n > 0) {
     closest(t, n);
     UM_TRY(um_core_stop_check(t->context, "paths by way of mirrors were traced"));
     UM_TRY(ends_take(t, n));
-    n = um_geometry_mirrored_turn(t->mesh, t->pose, t->mirrors, t->ray, t->way, t->hit, n);
+    n = um_geometry_mirrored_turn(t->mesh, t->pose, t->mirrors, t->ray, t->path, t->hit, n);
   }
   return um_core_stop_check(t->context, "paths by way of mirrors were traced");
 }
@@ -165,7 +165,7 @@ static enum um_status trace_all(struct trace *t, const struct um_geometry_view_f
         um_geometry_view_factor_rays(t->mesh, t->pose, t->patches, &t->counts, i, begin, many,
                                      t->ray + n);
         for (size_t k = 0; k < many; k++)
-          t->way[n + k] = (struct um_geometry_mirrored_way){.tag = (uint32_t)i};
+          t->path[n + k] = (struct um_geometry_mirrored_path){.tag = (uint32_t)i};
         begin += many;
         n += many;
         if (n < BATCH) continue;
@@ -226,7 +226,7 @@ static enum um_status prepare(struct trace *t, size_t rays)
   UM_TRY(um_core_allocate(t->context, patches->begin[patches->npatch], sizeof *t->each, &t->each));
   UM_TRY(um_core_allocate(t->context, BATCH, sizeof *t->ray, &t->ray));
   UM_TRY(um_core_allocate(t->context, BATCH, sizeof *t->hit, &t->hit));
-  UM_TRY(um_core_allocate(t->context, BATCH, sizeof *t->way, &t->way));
+  UM_TRY(um_core_allocate(t->context, BATCH, sizeof *t->path, &t->path));
   for (size_t p = 0; p < patches->npatch; p++)
     for (size_t i = patches->begin[p]; i < patches->begin[p + 1]; i++) {
       t->density[p] += (double)t->counts.count[i] / patches->area[p];
@@ -265,7 +265,7 @@ enum um_status um_geometry_mirror_paths_create(
   paths = NULL;
 done:
   um_geometry_ray_counts_clear(context, &t.counts);
-  UM_FREE(context, t.density, t.each, t.ray, t.hit, t.way, t.end);
+  UM_FREE(context, t.density, t.each, t.ray, t.hit, t.path, t.end);
   um_geometry_mirror_paths_destroy(context, &paths);
   return status;
 }

@@ -117,20 +117,21 @@ static struct um_vec3 point_of(const struct um_geometry_mesh *mesh,
 size_t um_geometry_mirrored_turn(const struct um_geometry_mesh *mesh,
                                  const struct um_geometry_pose *pose,
                                  const struct um_geometry_mirrors *mirrors,
-                                 struct um_geometry_ray *ray, struct um_geometry_mirrored_way *way,
+                                 struct um_geometry_ray *ray,
+                                 struct um_geometry_mirrored_path *path,
                                  const struct um_geometry_hit *hit, size_t n)
 {
   size_t left = 0;
   for (size_t k = 0; k < n; k++) {
     if (hit[k].facet == UM_GEOMETRY_NONE || hit[k].surface == UM_GEOMETRY_NONE) continue;
     uint16_t mirror = mirrors->of[hit[k].surface];
-    struct um_geometry_mirrored_way own = way[k];
+    struct um_geometry_mirrored_path own = path[k];
     if (mirror == UM_GEOMETRY_NO_MIRROR || !um_geometry_mirror_set_add(&own.met, mirror)) continue;
     struct um_vec3 normal = um_geometry_surface_normal(mesh, pose, hit[k].surface);
     struct um_vec3 d = ray[k].direction;
     d = um_vec3_unit(um_vec3_axpy(d, -2.0 * um_vec3_dot(d, normal), normal));
     ray[left] = (struct um_geometry_ray){point_of(mesh, pose, &hit[k]), d, INFINITY, hit[k].facet};
-    way[left++] = own;
+    path[left++] = own;
   }
   return left;
 }

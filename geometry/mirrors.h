@@ -47,7 +47,7 @@ void um_geometry_mirror_sets_clear(struct um_context *context,
                                    struct um_geometry_mirror_sets *sets);
 
 /* What goes with a ray on its way from mirror to mirror. */
-struct um_geometry_mirrored_way {
+struct um_geometry_mirrored_path {
   struct um_geometry_mirror_set met;
   uint32_t tag; /* the caller's */
 };
@@ -58,7 +58,8 @@ struct um_geometry_mirrored_way {
 size_t um_geometry_mirrored_turn(const struct um_geometry_mesh *mesh,
                                  const struct um_geometry_pose *pose,
                                  const struct um_geometry_mirrors *mirrors,
-                                 struct um_geometry_ray *ray, struct um_geometry_mirrored_way *way,
+                                 struct um_geometry_ray *ray,
+                                 struct um_geometry_mirrored_path *path,
                                  const struct um_geometry_hit *hit, size_t n);
 
 #endif

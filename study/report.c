@@ -1,5 +1,4 @@
-/* Tables of the statistics of a study. Numbers are written with the fewest digits that read back.
- */
+/* Statistics of a study as tables. Numbers are written with the fewest digits that read back. */
 #include "study/report.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* Suggestions in messages: lists of what is accepted, and the nearest of them to what was written.
- */
+/* Suggestions in messages: lists of what is accepted, and the nearest to what was written. */
 #ifndef UMBRA_CORE_SUGGESTIONS_H
 #define UMBRA_CORE_SUGGESTIONS_H
 

@@ -22,8 +22,7 @@ struct um_model_thermal_sensitivity {
   double *value; /* [nmove][nrow][nnode] dT/dp at the rows of the history */
 };
 
-/* --- what is applicable
- * ----------------------------------------------------------------------------- */
+/* --- what it is applicable to ----------------------------------------------------------------- */
 
 /* The same instants and edges; what falls in between may differ. */
 static bool grids_equal(const struct um_irradiation_loads *a, const struct um_irradiation_loads *b)

@@ -1,4 +1,4 @@
-/* One run in both bands on a geometry traced before. */
+/* One run in both bands on geometry tables. */
 #include "model/run/run.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* Photons of every instant, kept. They hang on poses, the Sun and the lobes of mirrors; how much
  * mirrors reflect of which wavelength is multiplied in when photons are looked up. One thing else
- * does: a way of several mirrors goes on as often as they reflect. Kept ways have gone on as those
- * of the scene that they were traced in, and count for those that have not: of other reflectances
- * light has the same mean, and moves smoothly with them. */
+ * does: a path of several mirrors goes on as often as they reflect. Kept paths have gone on as
+ * those of the scene that they were traced in, and count for those that have not: of other
+ * reflectances light has the same mean, and moves smoothly with them. */
 #include "optics/paths/photon_maps.h"
 
 #include <string.h>
@@ -159,7 +159,7 @@ static bool same_mixture(const struct um_materials_mixture *a, const struct um_m
   return a->share == b->share;
 }
 
-/* Do two lobes send ways alike? What is no mirror ends them. */
+/* Do two lobes send photons alike? What is no mirror ends them. */
 static bool same_mirror(const struct um_materials_lobe *a, const struct um_materials_lobe *b)
 {
   if (!um_optics_is_mirror(a) || !um_optics_is_mirror(b))

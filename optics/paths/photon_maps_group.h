@@ -5,7 +5,7 @@
 #include "optics/paths/photon_maps.h"
 #include "optics/paths/photons_group.h"
 
-/* Do the scene's ways have the same mirrors, instants and numbers as those that are kept? Geometry
+/* Do the scene's paths have the same mirrors, instants and numbers as those that are kept? Geometry
  * and view are the same for who asks. */
 bool um_optics_photon_maps_are_compatible(const struct um_optics_photon_maps *maps,
                                           const struct um_optics_scene *scene,

@@ -1,11 +1,11 @@
-/* Sunlight from mirror to mirror (photons_group.h). Ways begin at points of sunlit mirrors that
- * others can see, each with flux
+/* Sunlight from mirror to mirror (photons_group.h). Photon paths begin at points of sunlit mirrors
+ * that others can see, each with flux
  *
  *   A cos_i/N f(s, o) cos_o/p(o),
  *
  * f the mean of the lobe over the Sun's disc, and go on with f cos_o/p at each further mirror.
- * After ROULETTE of them a way goes on as often as the mirror reflects, SURVIVAL_LIMIT at most, and
- * then counts for those that do not (Arvo & Kirk 1990): few photons hold all ways. */
+ * After ROULETTE of them a path goes on as often as the mirror reflects, SURVIVAL_LIMIT at most,
+ * and then counts for those that do not (Arvo & Kirk 1990): few photons hold all paths. */
 #include "optics/paths/photons_group.h"
 
 #include <math.h>
@@ -14,12 +14,12 @@
 #include "optics/paths/exchange_impl.h"
 #include "optics/paths/sampling_group.h"
 
-#define EACH           2    /* ways of a mirror, of the paths of a surface */
+#define EACH           2    /* photon paths of a mirror, per path of a surface */
 #define ROULETTE       2    /* mirrors */
-#define SURVIVAL_LIMIT 0.75 /* 2 + 0.75/(1 - 0.75) = 5 photons of a way in the mean, at most */
-#define ROOM           6    /* photons of a way, and SPARE for all: beyond that ways end */
+#define SURVIVAL_LIMIT 0.75 /* 2 + 0.75/(1 - 0.75) = 5 photons of a path in the mean, at most */
+#define ROOM           6    /* photons of a path, and SPARE for all: beyond that paths end */
 #define SPARE          256
-#define LONGEST        256 /* mirrors of a way */
+#define LONGEST        256 /* mirrors of a path */
 
 enum { KEY_PHOTON = 0x70686f74, KEY_DISC = 0x64697363, KEY_STAY = 0x73746179 };
 
@@ -95,7 +95,7 @@ static double largest_f(const struct um_optics_spectra *s, size_t skin, double c
   return largest;
 }
 
-/* The photon that a way becomes where it meets a surface; false: no room. */
+/* The photon that a path becomes where it meets a surface; false: no room. */
 static bool fall(struct bundle *b, int i, int mirror, const struct um_geometry_hit *hit)
 {
   struct um_optics_photons *all = b->photons;
@@ -115,7 +115,7 @@ static bool fall(struct bundle *b, int i, int mirror, const struct um_geometry_h
   return true;
 }
 
-/* Does a way go on from the mirror that it has come to? */
+/* Does a path go on from the mirror that it has come to? */
 static bool goes_on(struct bundle *b, int i, int mirror)
 {
   if (!(b->area[i] > 0.0) || mirror == LONGEST) return false;
@@ -127,7 +127,7 @@ static bool goes_on(struct bundle *b, int i, int mirror)
   return true;
 }
 
-/* All ways by one more mirror. */
+/* All paths by one more mirror. */
 static void step(struct bundle *b, int mirror)
 {
   const struct um_optics_posed_scene *posed = b->paths->posed;
@@ -163,7 +163,7 @@ static void step(struct bundle *b, int mirror)
   b->alive = stays;
 }
 
-/* Ways from sample `b->sample` on that begin in sunlight, n of them of `count` in all. */
+/* Photon paths from sample `b->sample` on that begin in sunlight, n of them of `count` in all. */
 static void begin(struct bundle *b, size_t surface, int n, uint32_t count)
 {
   const struct um_optics_posed_scene *posed = b->paths->posed;
@@ -252,7 +252,7 @@ void um_optics_photon_row(const struct um_optics_paths *paths,
   }
 }
 
-/* Of each mirror's ways as of independent samples: n/(n - 1) (sum x^2 - (sum x)^2/n). */
+/* Of each mirror's paths as of independent samples: n/(n - 1) (sum x^2 - (sum x)^2/n). */
 double um_optics_photons_variance(const struct um_optics_photons *photons, size_t k)
 {
   double variance = 0.0;

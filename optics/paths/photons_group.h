@@ -14,7 +14,7 @@
 struct um_optics_photon {
   uint32_t surface;  /* that it falls on */
   uint32_t before;   /* photon that fell on its last mirror; UM_GEOMETRY_NONE: that one is sunlit */
-  uint32_t root;     /* way from the Sun that it is of */
+  uint32_t root;     /* photon path from the Sun that it is of */
   uint16_t mirrors;  /* on its way, 1 or more */
   uint16_t skin;     /* of the last of them */
   float cos_d, area; /* F there is at cos_d [1]; flux over that before the satellite and over the F
@@ -22,7 +22,7 @@ struct um_optics_photon {
   struct um_vec3 point, from; /* from: unit, toward the last mirror; body frame */
 };
 
-/* Ways from the Sun that set out from one surface. */
+/* Photon paths from the Sun that set out from one surface. */
 struct um_optics_beam {
   uint32_t surface, first, count; /* root of the first */
 };
@@ -33,12 +33,12 @@ struct um_optics_photons {
   struct um_optics_photon *photon; /* [room] */
   uint32_t *first, *order;         /* [nsurface + 1], [room]: photons by surface */
   struct um_optics_beam *beam;     /* [nsurface] */
-  double
-      *brought; /* [root_room][nband] what each way brings to the observer [W/sr], as it is found */
+  double *
+      brought; /* [root_room][nband] what each path brings to the observer [W/sr], as it is found */
 };
 
-/* Room for the ways of a pose, factor times its paths; more than there was, never less. nband 0:
- * nothing is kept of what ways bring. UM_ERR_MEMORY. */
+/* Room for the photon paths of a pose, factor times its own paths; more than there was, never less.
+ * nband 0: nothing is kept of what paths bring. UM_ERR_MEMORY. */
 enum um_status um_optics_photons_reserve(struct um_context *context,
                                          const struct um_optics_spectra *spectra,
                                          const struct um_optics_posed_scene *posed, int factor,
@@ -60,7 +60,7 @@ void um_optics_photon_row(const struct um_optics_paths *paths,
                           const struct um_optics_photons *photons,
                           const struct um_optics_photon *photon, double *row);
 
-/* Variance of what all ways brought, of band k [W^2/sr^2]. */
+/* Variance of what all paths brought, of band k [W^2/sr^2]. */
 double um_optics_photons_variance(const struct um_optics_photons *photons, size_t k);
 
 #endif

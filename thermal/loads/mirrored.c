@@ -29,11 +29,11 @@ struct slot {
   struct um_geometry_visibility *visibility;
   struct um_geometry_ray *ray; /* all [nray] */
   struct um_geometry_hit *hit;
-  struct um_geometry_mirrored_way *way; /* tag: number of the ray */
-  uint32_t *from;                       /* patch that it left */
-  double *weight;                       /* [m^2] */
-  double *lit;                          /* [npatch] sum of weights */
-  size_t n;                             /* rays on their way */
+  struct um_geometry_mirrored_path *path; /* tag: number of the ray */
+  uint32_t *from;                         /* patch that it left */
+  double *weight;                         /* [m^2] */
+  double *lit;                            /* [npatch] sum of weights */
+  size_t n;                               /* rays on their way */
   bool bright;
 };
 
@@ -98,7 +98,7 @@ static enum um_status prepare(struct tracer *t, size_t points)
     struct slot *s = &t->slot[k];
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->ray, &s->ray));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->hit, &s->hit));
-    UM_TRY(um_core_allocate(context, t->nray, sizeof *s->way, &s->way));
+    UM_TRY(um_core_allocate(context, t->nray, sizeof *s->path, &s->path));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->from, &s->from));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->weight, &s->weight));
     UM_TRY(um_core_allocate(context, t->patches->npatch, sizeof *s->lit, &s->lit));
@@ -173,7 +173,7 @@ static void surface_begin(const struct tracer *t, size_t i, size_t row, struct u
     for (size_t k = 0; k < n; k++) {
       if (occluded[k]) continue;
       s->ray[s->n] = (struct um_geometry_ray){toward[k].origin, on, INFINITY, facet};
-      s->way[s->n] = (struct um_geometry_mirrored_way){.tag = (uint32_t)s->n};
+      s->path[s->n] = (struct um_geometry_mirrored_path){.tag = (uint32_t)s->n};
       s->from[s->n] = patch;
       s->weight[s->n++] = weight;
       s->lit[patch] += weight;
@@ -206,9 +206,9 @@ static enum um_status ends_take(struct tracer *t, size_t at)
   const struct slot *s = &t->slot[at];
   for (size_t k = 0; k < s->n; k++) {
     if (s->hit[k].facet == UM_GEOMETRY_NONE || s->hit[k].surface == UM_GEOMETRY_NONE) continue;
-    uint32_t to = t->patches->patch[s->hit[k].surface], sets, tag = s->way[k].tag;
+    uint32_t to = t->patches->patch[s->hit[k].surface], sets, tag = s->path[k].tag;
     if (to == UM_GEOMETRY_NONE) continue;
-    UM_TRY(um_geometry_mirror_sets_find(t->context, &t->out->sets, &s->way[k].met, &sets));
+    UM_TRY(um_geometry_mirror_sets_find(t->context, &t->out->sets, &s->path[k].met, &sets));
     if (t->nend == t->room) {
       size_t room = 2 * t->room + 4096;
       UM_TRY(um_core_reallocate(t->context, room, sizeof *t->end, &t->end));
@@ -282,7 +282,7 @@ static enum um_status attitude_run(struct tracer *t, size_t from, long n, size_t
     left = 0;
     for (long i = 0; i < n; i++) {
       struct slot *s = &t->slot[i];
-      s->n = um_geometry_mirrored_turn(t->mesh, s->pose, t->mirrors, s->ray, s->way, s->hit, s->n);
+      s->n = um_geometry_mirrored_turn(t->mesh, s->pose, t->mirrors, s->ray, s->path, s->hit, s->n);
       left += s->n;
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (left > FEW)
@@ -307,7 +307,7 @@ static void tracer_free(struct tracer *t)
   for (size_t k = 0; k < BATCH; k++) {
     struct slot *s = &t->slot[k];
     slot_clear(t, s);
-    UM_FREE(t->context, s->ray, s->hit, s->way, s->from, s->weight, s->lit);
+    UM_FREE(t->context, s->ray, s->hit, s->path, s->from, s->weight, s->lit);
   }
   um_geometry_visibility_destroy(&t->scene);
   um_geometry_pose_destroy(t->context, &t->fixed);

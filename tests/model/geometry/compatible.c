@@ -232,8 +232,7 @@ static const struct {
     MEMBER(haze, ANOTHER),
     MEMBER(aerosol, ANOTHER),
     MEMBER(cloud_top, ANOTHER),
-    MEMBER(albedo_on,
-           COMPATIBLE), /* switches and factors of heat and light act behind the tables */
+    MEMBER(albedo_on, COMPATIBLE), /* switches and factors act behind the tables */
     MEMBER(planet_on, COMPATIBLE),
     MEMBER(earthshine_on, COMPATIBLE),
     MEMBER(earth_reflection_on, COMPATIBLE),
@@ -245,9 +244,8 @@ static const struct {
     MEMBER(inter_reflection_on, COMPATIBLE),
     MEMBER(mutual_radiation_on, COMPATIBLE),
     MEMBER(solar_reflection_on, COMPATIBLE),
-    MEMBER(specular_exchange_on, ANOTHER), /* from off to on: there are no paths by mirrors */
-    MEMBER(absorptance_by_angle,
-           COMPATIBLE), /* the laws of the surfaces say so, by which moments are */
+    MEMBER(specular_exchange_on, ANOTHER),    /* from off to on: there are no paths by mirrors */
+    MEMBER(absorptance_by_angle, COMPATIBLE), /* laws of surfaces say so, by which moments are */
     MEMBER(emittance_by_temperature, COMPATIBLE),
     MEMBER(gas_density_factor, ANOTHER),
     MEMBER(sky, COMPATIBLE), /* of the station */

@@ -250,8 +250,7 @@ static void test_refused(void **state)
   world_release(&base);
 }
 
-/* The variation within a spin is not in the derivative; exchange of many patches is left to runs.
- */
+/* Within-spin variation is not in the derivative; exchange of many patches is left to runs. */
 static void test_left_to_runs(void **state)
 {
   (void)state;

@@ -120,7 +120,7 @@ static double run_kept(struct fixture *f, const struct um_optics_photon_maps *ma
   return fixture_intensity(f, 0, 0, UM_MECHANISM_INTERREFLECTED);
 }
 
-/* To mirrors of F = 0.5 the same after four of them, F^4 of the light, though kept ways went on as
+/* To mirrors of F = 0.5 the same after four of them, F^4 of the light, though kept paths went on as
  * often as F = 1 has them. */
 static void kept_photons_serve_other_reflectances(void **state)
 {
@@ -138,14 +138,14 @@ static void kept_photons_serve_other_reflectances(void **state)
     double kept = run_kept(&f, maps, &traced);
     within("kept photons", &f, 0.5 * fixture_sun(&f, &line) * expected, 0.02);
     if (k == 0) assert_memory_equal(&kept, &traced, sizeof kept);
-    if (k == 1) assert_true(kept != traced); /* NOLINT: ways of another chance */
+    if (k == 1) assert_true(kept != traced); /* NOLINT: paths of another chance */
     fixture_destroy(&f);
   }
   um_optics_photon_maps_destroy(made.context, &maps);
   fixture_destroy(&made);
 }
 
-/* Another lobe, another number of ways: they are traced. */
+/* Another lobe, another number of paths: they are traced. */
 static void kept_photons_are_of_their_mirrors(void **state)
 {
   (void)state;
