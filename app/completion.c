@@ -1,13 +1,8 @@
 /* umbra completion: a script for bash, or for zsh by its bashcompinit, written from the tables of
- * verbs and options, the registry of effects, the material records and the scenario's schema. */
+ * verbs and options, and of the names that the library has. */
 #include <string.h>
 
-#include "app/app.h"
-#include "base/core/listing.h"
-#include "effects/effects.h"
-#include "environment/environment.h"
-#include "model/build/sensor_preset.h"
-#include "model/scenario/scenario_schema.h"
+#include "app/client.h"
 
 /* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
 static const char *offer(enum um_app_offers offers)
@@ -40,30 +35,31 @@ static const char *offer(enum um_app_offers offers)
   return ":";
 }
 
-/* What the script knows by name. */
+/* What the script knows by name beside effects and keys. */
 struct names {
-  const struct um_materials_library *materials;
-  char **sensor; /* [nsensor] */
-  size_t nsensor;
+  const struct umbra *umbra;
+  const char *const *material, *const *sensor;
+  size_t nmaterial, nsensor;
 };
 
 static void put_names(FILE *file, const struct names *names)
 {
-  const struct um_materials_library *library = names->materials;
+  const struct umbra *umbra = names->umbra;
   fputs("  local verbs=\"", file);
   for (size_t i = 0; i < um_app_verb_count(); i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", um_app_verb_at(i)->name);
   fputs("\"\n  local effects=\"", file);
-  for (size_t i = 0; i < um_effects_count(); i++)
-    fprintf(file, "%s%s", i > 0 ? " " : "", um_effects_at(i)->name);
+  for (size_t i = 0; umbra_effect_at(umbra, i) != NULL; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", umbra_effect_at(umbra, i)->name);
   fputs("\"\n  local materials=\"", file);
-  for (size_t i = 0; i < um_materials_library_count(library); i++)
-    fprintf(file, "%s%s", i > 0 ? " " : "", um_materials_name(um_materials_library_at(library, i)));
+  for (size_t i = 0; i < names->nmaterial; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", names->material[i]);
   fputs("\"\n  local sensors=\"", file);
   for (size_t i = 0; i < names->nsensor; i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", names->sensor[i]);
   fputs("\"\n  local sections=\"", file);
-  um_document_schema_write_paths(file, &um_model_scenario_schema); /* parted by line ends */
+  for (size_t i = 0; umbra_key_at(umbra, i) != NULL; i++)
+    fprintf(file, "%s\n", umbra_key_at(umbra, i)->path);
   fputs("\"\n", file);
 }
 
@@ -167,31 +163,37 @@ static void put_script(FILE *file, const struct names *names)
   fputs(tail, file);
 }
 
-int um_app_completion(struct um_context *context, const struct um_app_options *options)
+static void print(const struct names *names, bool zsh)
 {
-  const char *shell = options->positional[0];
-  bool zsh = strcmp(shell, "zsh") == 0;
-  enum um_status status;
-  char **sensors = NULL;
-  size_t nsensor = 0;
-  struct um_materials_library *library = NULL;
-  if (!zsh && strcmp(shell, "bash") != 0) {
-    fprintf(stderr, "umbra: no completion for '%.60s'; accepted: bash, zsh\n", shell);
-    return UM_APP_MISUSE;
-  }
-  UM_CHECK(um_environment_library_create(context, true, &library));
-  UM_CHECK(um_model_sensor_presets(context, &sensors, &nsensor));
   if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", stdout);
-  fputs("# Completion of umbra " UM_APP_VERSION ", written by: umbra completion\n", stdout);
-  const struct names names = {library, sensors, nsensor};
-  put_script(stdout, &names);
+  printf("# Completion of umbra %s, written by: umbra completion\n", umbra_version());
+  put_script(stdout, names);
   /* zsh loads the file when it is first wanted: that time it has to answer too */
   fputs(zsh ? "complete -o nospace -F _umbra umbra\n"
               "if (( ${+compstate} )); then _bash_complete -o nospace -F _umbra; fi\n"
             : "complete -F _umbra umbra\n",
         stdout);
-done:
-  um_core_listing_free(context, sensors, nsensor);
-  um_materials_library_destroy(&library);
-  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
+
+int um_app_completion(struct um_context *context, const struct um_app_options *options)
+{
+  (void)context;
+  const char *shell = options->positional[0];
+  bool zsh = strcmp(shell, "zsh") == 0;
+  struct names names;
+  struct umbra *umbra;
+  if (!zsh && strcmp(shell, "bash") != 0) {
+    fprintf(stderr, "umbra: no completion for '%.60s'; accepted: bash, zsh\n", shell);
+    return UM_APP_MISUSE;
+  }
+  int code = um_app_session_open(&umbra);
+  if (code != UM_APP_DONE) return code;
+  names.umbra = umbra;
+  if (umbra_data_names(umbra, UMBRA_MATERIALS, &names.material, &names.nmaterial) != UMBRA_OK ||
+      umbra_data_names(umbra, UMBRA_SENSORS, &names.sensor, &names.nsensor) != UMBRA_OK)
+    code = um_app_session_fail(umbra);
+  else
+    print(&names, zsh);
+  umbra_close(&umbra);
+  return code;
 }

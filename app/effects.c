@@ -1,8 +1,8 @@
-/* umbra effects: the registry as a table, or the manual's page of one effect. */
-#include "effects/effects.h"
-#include "app/app.h"
+/* umbra effects: all effects as a table, or the manual's page of one. */
+#include "app/client.h"
+#include "base/core/json.h"
 
-static void json_parameter(const struct um_effect_parameter *p)
+static void json_parameter(const struct umbra_parameter *p)
 {
   um_core_json_text(stdout, "{", "name", p->name);
   um_core_json_text(stdout, ", ", "unit", p->unit);
@@ -16,7 +16,7 @@ static void json_parameter(const struct um_effect_parameter *p)
   printf("}");
 }
 
-static void json_effect(const struct um_effect *e)
+static void json_effect(const struct umbra_effect *e)
 {
   um_core_json_text(stdout, "{", "name", e->name);
   printf(", \"on_by_default\": %s, \"summary\": ", e->on_by_default ? "true" : "false");
@@ -31,60 +31,60 @@ static void json_effect(const struct um_effect *e)
   printf(", \"parameters\": [");
   for (size_t i = 0; i < e->nparameter; i++) {
     if (i > 0) printf(", ");
-    json_parameter(&e->parameters[i]);
+    json_parameter(&e->parameter[i]);
   }
   printf("]}");
 }
 
-static void print_json(const struct um_effects_registry *registry)
+static void print_json(const struct umbra *umbra)
 {
-  size_t n = um_effects_registry_count(registry);
+  const struct umbra_effect *effect;
   puts("[");
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; (effect = umbra_effect_at(umbra, i)) != NULL; i++) {
     printf("  ");
-    json_effect(um_effects_registry_at(registry, i));
-    printf("%s\n", i + 1 < n ? "," : "");
+    json_effect(effect);
+    puts(umbra_effect_at(umbra, i + 1) != NULL ? "," : "");
   }
   puts("]");
 }
 
-static void print_table(const struct um_effects_registry *registry)
+static void print_table(const struct umbra *umbra)
 {
-  for (size_t i = 0; i < um_effects_registry_count(registry); i++) {
-    const struct um_effect *e = um_effects_registry_at(registry, i);
+  const struct umbra_effect *e;
+  for (size_t i = 0; (e = umbra_effect_at(umbra, i)) != NULL; i++)
     printf("%-22s %-4s %s\n", e->name, e->on_by_default ? "on" : "off", e->summary);
-  }
 }
 
-static enum um_status print_one(struct um_context *context,
-                                const struct um_effects_registry *registry, const char *name,
-                                bool json)
+static enum umbra_status print_one(struct umbra *umbra, const char *name, bool json)
 {
-  const struct um_effect *e = um_effects_registry_find(registry, name);
-  if (e == NULL) return um_effects_registry_refuse(context, registry, name);
+  const struct umbra_effect *effect;
+  enum umbra_status status = umbra_effect_find(umbra, name, &effect);
+  if (status != UMBRA_OK) return status;
   if (json) {
-    json_effect(e);
+    json_effect(effect);
     printf("\n");
   } else {
-    um_effects_write_markdown(stdout, e);
+    um_app_effect_page(stdout, effect);
   }
-  return UM_OK;
+  return UMBRA_OK;
 }
 
 int um_app_effects(struct um_context *context, const struct um_app_options *options)
 {
-  enum um_status status;
-  struct um_effects_registry *registry = NULL;
-  UM_CHECK(um_effects_registry_create(context, &registry));
-  for (size_t i = 0; i < options->neffect_file; i++)
-    UM_CHECK(um_effects_registry_load(context, registry, options->effect_file[i]));
-  if (options->npositional == 1)
-    UM_CHECK(print_one(context, registry, options->positional[0], options->json));
-  else if (options->json)
-    print_json(registry);
-  else
-    print_table(registry);
-done:
-  um_effects_registry_destroy(context, &registry);
-  return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+  (void)context;
+  struct umbra *umbra;
+  enum umbra_status status = UMBRA_OK;
+  int code = um_app_session_open(&umbra);
+  if (code != UM_APP_DONE) return code;
+  for (size_t i = 0; status == UMBRA_OK && i < options->neffect_file; i++)
+    status = umbra_effects_load(umbra, options->effect_file[i]);
+  if (status == UMBRA_OK && options->npositional == 1)
+    status = print_one(umbra, options->positional[0], options->json);
+  else if (status == UMBRA_OK && options->json)
+    print_json(umbra);
+  else if (status == UMBRA_OK)
+    print_table(umbra);
+  if (status != UMBRA_OK) code = um_app_session_fail(umbra);
+  umbra_close(&umbra);
+  return code;
 }

@@ -91,7 +91,7 @@ int main(int argc, char **argv)
     return flush(UM_APP_DONE);
   }
   if (strcmp(argv[1], "--version") == 0) {
-    puts("umbra " UM_APP_VERSION);
+    printf("umbra %s\n", umbra_version());
     return flush(UM_APP_DONE);
   }
   const struct um_app_verb *verb = um_app_verb_find(argv[1]);

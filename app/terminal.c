@@ -85,9 +85,8 @@ void um_app_terminal_clear(void)
   if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
 }
 
-static void log_line(void *self, enum um_core_log_level level, const char *line)
+void um_app_terminal_log(int level, const char *line)
 {
-  (void)self;
   if (level < UM_LOG_INFO || (level == UM_LOG_INFO && !isatty(STDERR_FILENO))) return;
   um_app_terminal_clear();
   fprintf(stderr, "%s%s\n",
@@ -95,6 +94,12 @@ static void log_line(void *self, enum um_core_log_level level, const char *line)
           : level == UM_LOG_ERROR ? "error: "
                                   : "",
           line);
+}
+
+static void log_line(void *self, enum um_core_log_level level, const char *line)
+{
+  (void)self;
+  um_app_terminal_log((int)level, line);
 }
 
 static bool in_pipes; /* progress is told there, too */

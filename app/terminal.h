@@ -9,6 +9,8 @@
  * nothing asks for 1 s the process ends all the same. SIGXFSZ is ignored, so that a file too
  * large is an error. */
 void um_app_terminal_attach(struct um_context *context);
+/* A line of the log, of a level as um_core_log_level counts. */
+void um_app_terminal_log(int level, const char *line);
 /* From now on progress is told where stderr is no terminal, too: a line of its own, the first after
  * 1 s, then every 10 s. For work of minutes and more that is watched through a file. */
 void um_app_terminal_progress_in_pipes(void);

@@ -3,8 +3,6 @@
 #ifndef UMBRA_EFFECTS_EFFECTS_H
 #define UMBRA_EFFECTS_EFFECTS_H
 
-#include <stdio.h>
-
 #include "effects/effect.h"
 
 /* All built-in effects, in the order of the list; borrowed. */
@@ -63,10 +61,5 @@ uint32_t um_effects_reach(const struct um_effect *effect);
 /* Do all of its hooks act on light that has left the satellite: on the air before the observer, on
  * what is measured? Does not fail. */
 bool um_effects_act_behind(const struct um_effect *effect);
-
-/* The manual's page of one effect, built-in or a user's own, as Markdown; and the whole manual,
- * docs/effects.md. Errors of writing are the stream's. */
-void um_effects_write_markdown(FILE *file, const struct um_effect *effect);
-void um_effects_write_manual(FILE *file);
 
 #endif

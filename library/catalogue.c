@@ -1,10 +1,14 @@
 /* Effects and keys with their documentation. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/core/listing.h"
 #include "effects/effects.h"
+#include "environment/environment.h"
 #include "library/key_unit_impl.h"
 #include "library/session_impl.h"
+#include "model/build/sensor_preset.h"
 #include "model/scenario/scenario_schema.h"
 
 #define SAME(ours, theirs)                                                                         \
@@ -37,24 +41,26 @@ static struct umbra_parameter parameter_of(const struct um_effect *effect, size_
 static enum um_status list_effects(struct umbra *umbra)
 {
   struct um_context *context = umbra->context;
-  size_t n = um_effects_count();
-  UM_TRY(um_core_arena_allocate(context, &umbra->memory, n, sizeof *umbra->effect, &umbra->effect));
+  size_t n = um_effects_registry_count(umbra->registry);
+  struct umbra_effect *effect;
+  UM_TRY(um_core_arena_allocate(context, &umbra->memory, n, sizeof *effect, &effect));
   for (size_t i = 0; i < n; i++) {
-    const struct um_effect *from = um_effects_at(i);
+    const struct um_effect *from = um_effects_registry_at(umbra->registry, i);
     struct umbra_parameter *parameter;
     UM_TRY(um_core_arena_allocate(context, &umbra->memory, from->nparameter, sizeof *parameter,
                                   &parameter));
     for (size_t p = 0; p < from->nparameter; p++) parameter[p] = parameter_of(from, p);
-    umbra->effect[i] = (struct umbra_effect){.name = from->name,
-                                             .summary = from->summary,
-                                             .reference = from->reference,
-                                             .validity = from->validity,
-                                             .separated_by = from->separated_by,
-                                             .targets = from->targets,
-                                             .on_by_default = from->on_by_default,
-                                             .parameter = parameter,
-                                             .nparameter = from->nparameter};
+    effect[i] = (struct umbra_effect){.name = from->name,
+                                      .summary = from->summary,
+                                      .reference = from->reference,
+                                      .validity = from->validity,
+                                      .separated_by = from->separated_by,
+                                      .targets = from->targets,
+                                      .on_by_default = from->on_by_default,
+                                      .parameter = parameter,
+                                      .nparameter = from->nparameter};
   }
+  umbra->effect = effect;
   umbra->neffect = n;
   return UM_OK;
 }
@@ -145,8 +151,45 @@ static enum um_status list_keys(struct umbra *umbra)
 
 enum um_status um_library_catalogue(struct umbra *umbra)
 {
+  UM_TRY(um_effects_registry_create(umbra->context, &umbra->registry));
   UM_TRY(list_effects(umbra));
   return list_keys(umbra);
+}
+
+/* The list of files grows in new memory: models borrow the one that they were built with. */
+static enum um_status load_effects(struct umbra *umbra, const char *path)
+{
+  struct um_context *context = umbra->context;
+  const char **file;
+  size_t n = umbra->neffect_file;
+  UM_TRY(um_core_arena_allocate(context, &umbra->memory, n + 1, sizeof *file, &file));
+  for (size_t i = 0; i < n; i++) file[i] = umbra->effect_file[i];
+  UM_TRY(um_effects_registry_load(context, umbra->registry, path));
+  char *absolute = realpath(path, NULL);
+  enum um_status status = keep_text(umbra, absolute != NULL ? absolute : path, &file[n]);
+  free(absolute);
+  UM_TRY(status);
+  UM_TRY(list_effects(umbra));
+  umbra->effect_file = file;
+  umbra->neffect_file++;
+  return UM_OK;
+}
+
+enum umbra_status umbra_effects_load(struct umbra *umbra, const char *path)
+{
+  (void)um_library_begin(umbra);
+  return um_library_status(load_effects(umbra, path));
+}
+
+enum umbra_status umbra_effect_find(struct umbra *umbra, const char *name,
+                                    const struct umbra_effect **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  *out = NULL;
+  for (size_t i = 0; i < umbra->neffect; i++)
+    if (strcmp(umbra->effect[i].name, name) == 0) *out = &umbra->effect[i];
+  if (*out != NULL) return UMBRA_OK;
+  return um_library_status(um_effects_registry_refuse(context, umbra->registry, name));
 }
 
 const struct umbra_effect *umbra_effect_at(const struct umbra *umbra, size_t index)
@@ -157,4 +200,66 @@ const struct umbra_effect *umbra_effect_at(const struct umbra *umbra, size_t ind
 const struct umbra_key *umbra_key_at(const struct umbra *umbra, size_t index)
 {
   return index < umbra->nkey ? &umbra->key[index] : NULL;
+}
+
+static enum um_status keep_names(struct umbra *umbra, size_t n, const char ***out)
+{
+  return um_core_arena_allocate(umbra->context, &umbra->memory, n, sizeof **out, out);
+}
+
+static enum um_status list_materials(struct umbra *umbra, const char ***out, size_t *count)
+{
+  struct um_materials_library *library;
+  UM_TRY(um_environment_library_create(umbra->context, true, &library));
+  *count = um_materials_library_count(library);
+  enum um_status status = keep_names(umbra, *count, out);
+  for (size_t i = 0; status == UM_OK && i < *count; i++)
+    status = keep_text(umbra, um_materials_name(um_materials_library_at(library, i)), &(*out)[i]);
+  um_materials_library_destroy(&library);
+  return status;
+}
+
+static enum um_status list_sensors(struct umbra *umbra, const char ***out, size_t *count)
+{
+  char **names;
+  UM_TRY(um_model_sensor_presets(umbra->context, &names, count));
+  enum um_status status = keep_names(umbra, *count, out);
+  for (size_t i = 0; status == UM_OK && i < *count; i++)
+    status = keep_text(umbra, names[i], &(*out)[i]);
+  um_core_listing_free(umbra->context, names, *count);
+  return status;
+}
+
+static enum um_status list_data(struct umbra *umbra, enum umbra_names kind)
+{
+  const char **names = NULL;
+  size_t count = 0;
+  if (kind == UMBRA_MATERIALS)
+    UM_TRY(list_materials(umbra, &names, &count));
+  else if (kind == UMBRA_SENSORS)
+    UM_TRY(list_sensors(umbra, &names, &count));
+  else
+    return um_core_fail(umbra->context, UM_ERR_INPUT,
+                        "no names of kind %d come with the program; accepted: UMBRA_MATERIALS, "
+                        "UMBRA_SENSORS",
+                        (int)kind);
+  umbra->data[kind].name = names;
+  umbra->data[kind].count = count;
+  return UM_OK;
+}
+
+enum umbra_status umbra_data_names(struct umbra *umbra, enum umbra_names kind,
+                                   const char *const **out, size_t *count)
+{
+  bool known = (int)kind >= 0 && (int)kind < UM_LIBRARY_NAMES;
+  (void)um_library_begin(umbra);
+  *out = NULL;
+  *count = 0;
+  if (!known || umbra->data[kind].name == NULL) {
+    enum um_status status = list_data(umbra, kind);
+    if (status != UM_OK) return um_library_status(status);
+  }
+  *out = umbra->data[kind].name;
+  *count = umbra->data[kind].count;
+  return UMBRA_OK;
 }

@@ -112,7 +112,7 @@ enum umbra_status umbra_compare(struct umbra *umbra, const struct umbra_scenario
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
   work->measurements = um_library_measurements_share(measurements);
   UM_CHECK(um_library_source_copy(context, &scenario->source, &work->source));
-  work->options = um_library_source_options(&work->source);
+  work->options = um_library_source_options(&work->source, umbra);
   UM_CHECK(um_compare_whole_begin(context, work->source.path, &work->options, measurements->set,
                                   &work->whole));
   UM_CHECK(um_compare_whole_run(context, &work->whole));

@@ -47,14 +47,15 @@ static const struct um_model *diagnosis_model(const void *work)
 static const struct um_library_kind kind = {diagnosis_write, diagnosis_release, diagnosis_model};
 
 /* Measurements, forward, and what the scenario asks for. */
-static enum um_status begin(struct um_context *context, const struct umbra_scenario *scenario,
+static enum um_status begin(struct umbra *umbra, const struct umbra_scenario *scenario,
                             struct umbra_measurements *measurements,
                             const struct um_diagnosis_request_texts *texts,
                             struct um_library_diagnosis *work)
 {
+  struct um_context *context = umbra->context;
   work->measurements = um_library_measurements_share(measurements);
   UM_TRY(um_library_source_copy(context, &scenario->source, &work->source));
-  work->options = um_library_source_options(&work->source);
+  work->options = um_library_source_options(&work->source, umbra);
   UM_TRY(um_sensitivity_forward_create(context, work->source.path, &work->options,
                                        measurements->set, UM_SENSITIVITY_TOLERANCE_FACTOR,
                                        &work->forward));
@@ -116,7 +117,7 @@ enum umbra_status umbra_diagnose(struct umbra *umbra, const struct umbra_scenari
   const struct um_diagnosis_request_texts texts = {.exclude = asked.exclude,
                                                    .nexclude = asked.nexclude};
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
-  UM_CHECK(begin(context, scenario, measurements, &texts, work));
+  UM_CHECK(begin(umbra, scenario, measurements, &texts, work));
   const struct um_diagnosis_options options = {
       .candidates = {.only = asked.only,
                      .nonly = asked.nonly,
@@ -192,12 +193,12 @@ enum umbra_status umbra_fit(struct umbra *umbra, const struct umbra_scenario *sc
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
   for (size_t i = 0; i < nchange; i++) {
-    UM_CHECK(um_library_take_change(context, &change[i], &work->wanted));
+    UM_CHECK(um_library_take_change(context, umbra->registry, &change[i], &work->wanted));
     if (change[i].off != 0)
       UM_CHECK(um_core_fail(context, UM_ERR_INPUT, "%s is off; accepted: effects that are fitted",
                             change[i].effect));
   }
-  UM_CHECK(begin(context, scenario, measurements, &nothing, work));
+  UM_CHECK(begin(umbra, scenario, measurements, &nothing, work));
   UM_CHECK(fit(context, work));
   UM_CHECK(finish(context, umbra, &work, &result));
   *out = result;

@@ -69,7 +69,7 @@ enum umbra_status umbra_model_build(struct umbra *umbra, const struct umbra_scen
   atomic_init(&model->users, 1);
   model->session = um_library_session_share(umbra);
   UM_CHECK(um_library_source_copy(context, &scenario->source, &model->source));
-  model->options = um_library_source_options(&model->source);
+  model->options = um_library_source_options(&model->source, umbra);
   UM_CHECK(um_model_create(context, model->source.path, &model->options, &model->model));
   UM_CHECK(um_core_strdup(context, um_core_log_text(context), &model->log));
   UM_CHECK(list_names(context, model));

@@ -5,8 +5,6 @@
 #include "library/session_impl.h"
 #include "library/source_impl.h"
 
-#define UM_LIBRARY_NAMES (UMBRA_SENSORS + 1) /* kinds */
-
 struct umbra_model {
   struct umbra *session;
   atomic_int users; /* the caller's handle, and results of it */

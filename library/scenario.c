@@ -111,14 +111,15 @@ static enum um_status check_value(struct um_context *context, const struct um_ef
 }
 
 enum um_status um_library_check_effect_change(struct um_context *context,
+                                              const struct um_effects_registry *registry,
                                               const struct umbra_effect_change *change)
 {
   UM_TRY(
       um_library_check_size(context, "struct umbra_effect_change", change->size, sizeof *change));
   if (change->effect == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "a change names no effect; accepted: one");
-  const struct um_effect *effect = um_effects_find(change->effect);
-  if (effect == NULL) return um_effects_registry_refuse(context, NULL, change->effect);
+  const struct um_effect *effect = um_effects_registry_find(registry, change->effect);
+  if (effect == NULL) return um_effects_registry_refuse(context, registry, change->effect);
   for (size_t p = 0; p < change->nparameter; p++)
     UM_TRY(check_value(context, effect, change->parameter[p], change->value[p]));
   if (change->target != NULL && effect->targets == UM_TARGET_GLOBAL)
@@ -130,10 +131,11 @@ enum um_status um_library_check_effect_change(struct um_context *context,
 }
 
 enum um_status um_library_take_change(struct um_context *context,
+                                      const struct um_effects_registry *registry,
                                       const struct umbra_effect_change *change,
                                       struct um_library_source *source)
 {
-  UM_TRY(um_library_check_effect_change(context, change));
+  UM_TRY(um_library_check_effect_change(context, registry, change));
   const struct um_model_change typed = {.effect = change->effect,
                                         .target = change->target,
                                         .off = change->off != 0,
@@ -147,5 +149,6 @@ enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenar
                                         const struct umbra_effect_change *change)
 {
   struct um_context *context = um_library_begin(umbra);
-  return um_library_status(um_library_take_change(context, change, &scenario->source));
+  return um_library_status(
+      um_library_take_change(context, umbra->registry, change, &scenario->source));
 }

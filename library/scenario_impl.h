@@ -15,9 +15,11 @@ enum um_status um_library_take_key(struct um_context *context, const char *key, 
                                    const char *text, struct um_document_change *out);
 /* Is it a change that its effect can take? UM_ERR_INPUT. */
 enum um_status um_library_check_effect_change(struct um_context *context,
+                                              const struct um_effects_registry *registry,
                                               const struct umbra_effect_change *change);
 /* Check a caller's change against the effect, and add it. UM_ERR_INPUT. */
 enum um_status um_library_take_change(struct um_context *context,
+                                      const struct um_effects_registry *registry,
                                       const struct umbra_effect_change *change,
                                       struct um_library_source *source);
 

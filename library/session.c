@@ -98,6 +98,8 @@ void um_library_session_drop(struct umbra **umbra)
 {
   if (umbra == NULL || *umbra == NULL) return;
   if (atomic_fetch_sub(&(*umbra)->users, 1) == 1) {
+    if ((*umbra)->context != NULL)
+      um_effects_registry_destroy((*umbra)->context, &(*umbra)->registry);
     if ((*umbra)->context != NULL) um_core_arena_release((*umbra)->context, &(*umbra)->memory);
     um_core_context_destroy(&(*umbra)->context);
     free(*umbra);

@@ -6,16 +6,26 @@
 
 #include "base/core/arena.h"
 #include "base/core/context.h"
+#include "effects/effects.h"
 #include "library/umbra.h"
+
+#define UM_LIBRARY_NAMES (UMBRA_SENSORS + 1) /* kinds */
 
 struct umbra {
   struct um_context *context;
   struct umbra_settings settings; /* its texts belong to the context */
   struct um_core_arena memory;    /* of the catalogue */
-  struct umbra_effect *effect;    /* [neffect] */
+  struct um_effects_registry *registry;
+  const char **effect_file; /* [neffect_file] absolute, of effects beside the built-in ones */
+  size_t neffect_file;
+  struct umbra_effect *effect; /* [neffect] */
   size_t neffect;
   struct umbra_key *key; /* [nkey] */
   size_t nkey;
+  struct {
+    const char **name; /* [count]; NULL: not asked for */
+    size_t count;
+  } data[UM_LIBRARY_NAMES];
   atomic_int users; /* the caller's handle, and objects that were made with it */
 };
 

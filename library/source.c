@@ -94,11 +94,14 @@ void um_library_source_release(struct um_context *context, struct um_library_sou
   *source = (struct um_library_source){0};
 }
 
-struct um_model_options um_library_source_options(const struct um_library_source *source)
+struct um_model_options um_library_source_options(const struct um_library_source *source,
+                                                  const struct umbra *umbra)
 {
   return (struct um_model_options){.text = source->text,
                                    .set = source->set,
                                    .nset = source->nset,
+                                   .effect_files = umbra->effect_file,
+                                   .neffect_file = umbra->neffect_file,
                                    .change = source->change,
                                    .nchange = source->nchange};
 }

@@ -2,6 +2,7 @@
 #ifndef UMBRA_LIBRARY_SOURCE_IMPL_H
 #define UMBRA_LIBRARY_SOURCE_IMPL_H
 
+#include "library/session_impl.h"
 #include "model/build/model.h"
 
 /* All zero is empty. Texts are owned. */
@@ -28,7 +29,8 @@ enum um_status um_library_source_copy(struct um_context *context,
                                       const struct um_library_source *source,
                                       struct um_library_source *out);
 void um_library_source_release(struct um_context *context, struct um_library_source *source);
-/* What a model is built with; borrowed from the source. */
-struct um_model_options um_library_source_options(const struct um_library_source *source);
+/* What a model of the session is built with; borrowed from both. */
+struct um_model_options um_library_source_options(const struct um_library_source *source,
+                                                  const struct umbra *umbra);
 
 #endif

@@ -462,6 +462,14 @@ struct umbra_effect {
 /* The effects that a scenario may use, in the order of the manual; NULL behind the last. Borrowed
  * from the session. */
 const struct umbra_effect *umbra_effect_at(const struct umbra *umbra, size_t index);
+/* The one of that name. UMBRA_ERR_INPUT with the nearest name. */
+enum umbra_status umbra_effect_find(struct umbra *umbra, const char *name,
+                                    const struct umbra_effect **out);
+/* Effects of one's own (examples/effects): a shared object, whose code runs inside the process.
+ * They stand behind the others, and models that are built from now on may use them. What their
+ * hooks call of Umbra the process has to export: the command does, libumbra has umbra_* alone.
+ * UMBRA_ERR_IO, UMBRA_ERR_INPUT: no such object, or a name that is taken. */
+enum umbra_status umbra_effects_load(struct umbra *umbra, const char *path);
 
 enum umbra_key_type {
   UMBRA_KEY_NUMBER,
@@ -490,6 +498,11 @@ struct umbra_key {
 /* The keys of a scenario, a mapping before what it holds; NULL behind the last. Borrowed from the
  * session. */
 const struct umbra_key *umbra_key_at(const struct umbra *umbra, size_t index);
+
+/* What the data folder has: UMBRA_MATERIALS and UMBRA_SENSORS. *out: [count], borrowed from the
+ * session. UMBRA_ERR_INPUT: another kind, or a record that is wrong; UMBRA_ERR_IO. */
+enum umbra_status umbra_data_names(struct umbra *umbra, enum umbra_names kind,
+                                   const char *const **out, size_t *count);
 
 struct umbra_citation {
   const char *sentence; /* "Computed with Umbra 0.4.0 ..., with ..." */

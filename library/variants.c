@@ -110,7 +110,7 @@ static enum um_status take_effect(struct um_context *context, const struct um_mo
                                   const struct umbra_effect_change *from,
                                   struct um_library_changes *to)
 {
-  UM_TRY(um_library_check_effect_change(context, from));
+  UM_TRY(um_library_check_effect_change(context, model->registry, from));
   if (from->off == 0) {
     addition_of(model, from, &to->addition[to->all.naddition++]);
     return UM_OK;

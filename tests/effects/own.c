@@ -52,23 +52,6 @@ static void object_joins_the_registry(void **state)
   assert_int_equal(um_effects_registry_count(NULL), n);
 }
 
-static void page_is_written_from_the_object(void **state)
-{
-  (void)state;
-  char page[4096];
-  struct um_effects_registry *registry = registry_of(EXAMPLE);
-  FILE *file = tmpfile();
-  assert_non_null(file);
-  um_effects_write_markdown(file, um_effects_registry_find(registry, "pileup"));
-  rewind(file);
-  page[fread(page, 1, sizeof page - 1, file)] = '\0';
-  fclose(file);
-  assert_non_null(strstr(page, "## pileup"));
-  assert_non_null(strstr(page, "- told apart from roughness and exposure"));
-  assert_non_null(strstr(page, "--with pileup,q_m2_W=-1e+08`"));
-  um_effects_registry_destroy(case_context(), &registry);
-}
-
 /* With the key of the scenario in front. */
 static void scenario_with(const char *files, char *out, size_t size)
 {
@@ -308,15 +291,10 @@ static void descriptors_are_checked(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(object_joins_the_registry),
-      cmocka_unit_test(page_is_written_from_the_object),
-      cmocka_unit_test(example_acts),
-      cmocka_unit_test(hook_can_refuse),
-      cmocka_unit_test(scenario_alone_loads_nothing),
-      cmocka_unit_test(files_are_found),
-      cmocka_unit_test(bad_objects_are_refused),
-      cmocka_unit_test(cut_objects_are_refused),
-      cmocka_unit_test(changed_objects_are_refused),
+      cmocka_unit_test(object_joins_the_registry), cmocka_unit_test(example_acts),
+      cmocka_unit_test(hook_can_refuse),           cmocka_unit_test(scenario_alone_loads_nothing),
+      cmocka_unit_test(files_are_found),           cmocka_unit_test(bad_objects_are_refused),
+      cmocka_unit_test(cut_objects_are_refused),   cmocka_unit_test(changed_objects_are_refused),
       cmocka_unit_test(descriptors_are_checked),
   };
   return cmocka_run_group_tests(tests, case_begin, case_end);

@@ -1,4 +1,5 @@
 /* What the library says of effects, keys and sources. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -49,6 +50,93 @@ static void test_effects(void **state)
   assert_close(emittance->parameter->prior_sigma, 0.12, 0.0);
   assert_true(emittance->parameter->fitted);
   assert_null(umbra_effect_at(umbra, (size_t)-1));
+}
+
+/* By name, with the nearest one where there is none. */
+static void test_find(void **state)
+{
+  (void)state;
+  const struct umbra_effect *effect;
+  assert_int_equal(umbra_effect_find(umbra, "albedo", &effect), UMBRA_OK);
+  assert_string_equal(effect->name, "albedo");
+  assert_int_equal(umbra_effect_find(umbra, "albeda", &effect), UMBRA_ERR_INPUT);
+  assert_null(effect);
+  assert_non_null(strstr(umbra_message(umbra), "did you mean 'albedo'?; accepted: albedo"));
+}
+
+static double last_irradiance(const struct umbra_effect_change *change)
+{
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_result *result;
+  assert_int_equal(
+      umbra_scenario_read(umbra, UMBRA_SOURCE_DIR "/tests/app/data/box.yaml", NULL, &scenario),
+      UMBRA_OK);
+  if (change != NULL) assert_int_equal(umbra_scenario_effect(umbra, scenario, change), UMBRA_OK);
+  assert_int_equal(umbra_model_build(umbra, scenario, &model), UMBRA_OK);
+  assert_int_equal(umbra_run(umbra, model, &result), UMBRA_OK);
+  const struct umbra_array *a = umbra_result_array(result, "irradiance");
+  double value = a->data[(a->shape[0] - 1) * a->shape[1]];
+  umbra_result_close(&result);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+  return value;
+}
+
+/* E' = E (1 + q E), examples/effects/pileup.c. */
+static void test_own_effect(void **state)
+{
+  (void)state;
+  static const char *const name[] = {"q_m2_W"};
+  static const double q[] = {-1e8};
+  size_t n = 0;
+  struct umbra_effect_change change = UMBRA_EFFECT_CHANGE;
+  const struct umbra_effect *before = umbra_effect_at(umbra, 0);
+  while (umbra_effect_at(umbra, n) != NULL) n++;
+  change.effect = "pileup";
+  change.target = "vis";
+  change.parameter = name;
+  change.value = q;
+  change.nparameter = 1;
+  double plain = last_irradiance(NULL);
+  assert_int_equal(umbra_effects_load(umbra, "no-such.so"), UMBRA_ERR_IO);
+  assert_null(umbra_effect_at(umbra, n));
+  assert_int_equal(umbra_effects_load(umbra, PILEUP), UMBRA_OK);
+  assert_string_equal(umbra_effect_at(umbra, n)->name, "pileup");
+  assert_string_equal(umbra_effect_at(umbra, n)->parameter->name, "q_m2_W");
+  assert_null(umbra_effect_at(umbra, n + 1));
+  assert_string_equal(before->name, umbra_effect_at(umbra, 0)->name); /* what is borrowed stays */
+  assert_close(last_irradiance(NULL), plain, 0.0);
+  assert_close(last_irradiance(&change), plain * (1.0 + q[0] * plain), 1e-14 * plain);
+  struct umbra *other; /* knows nothing of it */
+  assert_int_equal(umbra_open(NULL, &other), UMBRA_OK);
+  assert_null(umbra_effect_at(other, n));
+  umbra_close(&other);
+}
+
+static bool holds(const char *const *name, size_t n, const char *wanted)
+{
+  bool found = false;
+  for (size_t i = 0; i < n; i++) found = found || strcmp(name[i], wanted) == 0;
+  return found;
+}
+
+static void test_data_names(void **state)
+{
+  (void)state;
+  const char *const *material, *const *sensor, *const *again;
+  size_t nmaterial, nsensor, n;
+  assert_int_equal(umbra_data_names(umbra, UMBRA_MATERIALS, &material, &nmaterial), UMBRA_OK);
+  assert_int_equal(umbra_data_names(umbra, UMBRA_SENSORS, &sensor, &nsensor), UMBRA_OK);
+  assert_true(holds(material, nmaterial, "grey_white") && holds(material, nmaterial, "mli_kapton"));
+  assert_true(holds(sensor, nsensor, "ufo") && !holds(sensor, nsensor, "grey_white"));
+  assert_int_equal(umbra_data_names(umbra, UMBRA_MATERIALS, &again, &n), UMBRA_OK);
+  assert_ptr_equal(again, material);
+  assert_int_equal(n, nmaterial);
+  assert_int_equal(umbra_data_names(umbra, UMBRA_PARTS, &again, &n), UMBRA_ERR_INPUT);
+  assert_null(again);
+  assert_int_equal(umbra_data_names(umbra, (enum umbra_names) - 1, &again, &n), UMBRA_ERR_INPUT);
+  assert_int_equal(n, 0);
 }
 
 static const struct umbra_key *find(const char *path)
@@ -190,6 +278,9 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_effects, enter, leave),
+      cmocka_unit_test_setup_teardown(test_find, enter, leave),
+      cmocka_unit_test_setup_teardown(test_own_effect, enter, leave),
+      cmocka_unit_test_setup_teardown(test_data_names, enter, leave),
       cmocka_unit_test_setup_teardown(test_keys, enter, leave),
       cmocka_unit_test(test_units_of_keys),
       cmocka_unit_test_setup_teardown(test_citation, enter, leave),

@@ -44,3 +44,11 @@ function(um_test)
   set_tests_properties(${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}" SKIP_RETURN_CODE 77)
   um_test_run(${ARG_NAME})
 endfunction()
+
+# um_test_own_effect(NAME): a test that loads the example of a user's own effect, PILEUP, which calls
+# functions of the program.
+function(um_test_own_effect name)
+  target_compile_definitions(test_${name} PRIVATE PILEUP="$<TARGET_FILE:effect_object_pileup>")
+  add_dependencies(test_${name} effect_object_pileup)
+  set_target_properties(test_${name} PROPERTIES ENABLE_EXPORTS ON)
+endfunction()

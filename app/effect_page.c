@@ -3,47 +3,47 @@
 #include <math.h>
 #include <string.h>
 
-#include "effects/effects.h"
+#include "app/client.h"
 
 /* A word for the target in examples. */
-static const char *example_target(const struct um_effect *effect)
+static const char *example_target(const struct umbra_effect *effect)
 {
-  if ((effect->targets & UM_TARGET_GLOBAL) != 0) return NULL;
-  if ((effect->targets & UM_TARGET_PART) != 0) return "PART";
-  if ((effect->targets & UM_TARGET_PART_SIDE) != 0) return "PART.SIDE";
-  if ((effect->targets & UM_TARGET_MATERIAL) != 0) return "MATERIAL";
-  if ((effect->targets & UM_TARGET_BAND) != 0) return "BAND";
+  if ((effect->targets & UMBRA_TARGET_GLOBAL) != 0) return NULL;
+  if ((effect->targets & UMBRA_TARGET_PART) != 0) return "PART";
+  if ((effect->targets & UMBRA_TARGET_SIDE) != 0) return "PART.SIDE";
+  if ((effect->targets & UMBRA_TARGET_MATERIAL) != 0) return "MATERIAL";
+  if ((effect->targets & UMBRA_TARGET_BAND) != 0) return "BAND";
   return "SENSOR";
 }
 
-static void write_targets(FILE *file, const struct um_effect *effect)
+static void write_targets(FILE *file, const struct umbra_effect *effect)
 {
   static const struct {
-    enum um_effect_target target;
+    enum umbra_target target;
     const char *words;
-  } names[] = {{UM_TARGET_GLOBAL, "everything (no target)"},
-               {UM_TARGET_PART, "a part"},
-               {UM_TARGET_PART_SIDE, "a side or group of a part"},
-               {UM_TARGET_INTERIOR, "an interior of a part"},
-               {UM_TARGET_MATERIAL, "a material"},
-               {UM_TARGET_BAND, "a band"},
-               {UM_TARGET_SENSOR, "a sensor"}};
+  } names[] = {{UMBRA_TARGET_GLOBAL, "everything (no target)"},
+               {UMBRA_TARGET_PART, "a part"},
+               {UMBRA_TARGET_SIDE, "a side or group of a part"},
+               {UMBRA_TARGET_INTERIOR, "an interior of a part"},
+               {UMBRA_TARGET_MATERIAL, "a material"},
+               {UMBRA_TARGET_BAND, "a band"},
+               {UMBRA_TARGET_SENSOR, "a sensor"}};
   const char *separator = "";
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-    if ((effect->targets & (uint32_t)names[i].target) == 0) continue;
+    if ((effect->targets & (unsigned)names[i].target) == 0) continue;
     fprintf(file, "%s%s", separator, names[i].words);
     separator = ", ";
   }
 }
 
-static void write_parameters(FILE *file, const struct um_effect *effect)
+static void write_parameters(FILE *file, const struct umbra_effect *effect)
 {
   if (effect->nparameter == 0) return;
   fputs("\n| parameter | unit | vanishes at | default | range | prior sigma | from | meaning |\n"
         "|---|---|---|---|---|---|---|---|\n",
         file);
   for (size_t i = 0; i < effect->nparameter; i++) {
-    const struct um_effect_parameter *p = &effect->parameters[i];
+    const struct umbra_parameter *p = &effect->parameter[i];
     fprintf(file, "| `%s` | %s | %g | %g | %g to %g | ", p->name, p->unit, p->null_value,
             p->default_value, p->minimum, p->maximum);
     if (isfinite(p->prior_sigma))
@@ -55,23 +55,23 @@ static void write_parameters(FILE *file, const struct um_effect *effect)
 }
 
 /* In a scenario and on the command line. */
-static void write_example(FILE *file, const struct um_effect *effect)
+static void write_example(FILE *file, const struct umbra_effect *effect)
 {
   const char *target = example_target(effect);
   fprintf(file, "\n```yaml\neffects:\n  - {effect: %s", effect->name);
   if (target != NULL) fprintf(file, ", target: %s", target);
   if (effect->on_by_default) fputs(", off: true", file);
   for (size_t i = 0; i < effect->nparameter && !effect->on_by_default; i++)
-    fprintf(file, ", %s: %g", effect->parameters[i].name, effect->parameters[i].default_value);
+    fprintf(file, ", %s: %g", effect->parameter[i].name, effect->parameter[i].default_value);
   fprintf(file, "}\n```\n\n`umbra run SCENARIO %s %s",
           effect->on_by_default ? "--without" : "--with", effect->name);
   if (target != NULL) fprintf(file, ":%s", target);
   for (size_t i = 0; i < effect->nparameter && !effect->on_by_default; i++)
-    fprintf(file, ",%s=%g", effect->parameters[i].name, effect->parameters[i].default_value);
+    fprintf(file, ",%s=%g", effect->parameter[i].name, effect->parameter[i].default_value);
   fputs("`\n", file);
 }
 
-void um_effects_write_markdown(FILE *file, const struct um_effect *effect)
+void um_app_effect_page(FILE *file, const struct umbra_effect *effect)
 {
   fprintf(file, "## %s\n\n%s.\n\n- acts on: ", effect->name, effect->summary);
   write_targets(file, effect);
@@ -82,7 +82,7 @@ void um_effects_write_markdown(FILE *file, const struct um_effect *effect)
   write_example(file, effect);
 }
 
-void um_effects_write_manual(FILE *file)
+void um_app_effect_manual(FILE *file, const struct umbra *umbra)
 {
   fputs(
       "# Effects\n\n"
@@ -97,13 +97,12 @@ void um_effects_write_manual(FILE *file)
       "[examples/effects](../examples/effects/README.md).\n\n"
       "| effect | by default | what it is |\n|---|---|---|\n",
       file);
-  for (size_t i = 0; i < um_effects_count(); i++) {
-    const struct um_effect *e = um_effects_at(i);
+  const struct umbra_effect *e;
+  for (size_t i = 0; (e = umbra_effect_at(umbra, i)) != NULL; i++)
     fprintf(file, "| [%s](#%s) | %s | %s |\n", e->name, e->name, e->on_by_default ? "on" : "off",
             e->summary);
-  }
-  for (size_t i = 0; i < um_effects_count(); i++) {
+  for (size_t i = 0; (e = umbra_effect_at(umbra, i)) != NULL; i++) {
     fputc('\n', file);
-    um_effects_write_markdown(file, um_effects_at(i));
+    um_app_effect_page(file, e);
   }
 }

@@ -1,7 +1,8 @@
-/* effects_manual FILE: the manual of the effects, docs/effects.md, written when they are built. */
+/* effects_manual FILE: the manual of the effects, docs/effects.md, written when the program is
+ * built. */
 #include <stdio.h>
 
-#include "effects/effects.h"
+#include "app/client.h"
 
 int main(int argc, char **argv)
 {
@@ -9,12 +10,18 @@ int main(int argc, char **argv)
     fputs("usage: effects_manual FILE\n", stderr);
     return 2;
   }
+  struct umbra *umbra;
+  if (umbra_open(NULL, &umbra) != UMBRA_OK) {
+    fputs("out of memory\n", stderr);
+    return 1;
+  }
   FILE *file = fopen(argv[1], "w");
   if (file == NULL) {
     perror(argv[1]);
     return 1;
   }
-  um_effects_write_manual(file);
+  um_app_effect_manual(file, umbra);
+  umbra_close(&umbra);
   if (ferror(file) != 0 || fclose(file) != 0) {
     perror(argv[1]);
     return 1;

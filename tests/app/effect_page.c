@@ -3,10 +3,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "effects/effects.h"
+#include "app/client.h"
 #include "tests/support/cmocka_all.h"
 
 #define PAGE UMBRA_SOURCE_DIR "/docs/effects.md"
+
+static struct umbra *umbra;
+
+static int enter(void **state)
+{
+  (void)state;
+  return umbra_open(NULL, &umbra) == UMBRA_OK ? 0 : -1;
+}
+
+static int leave(void **state)
+{
+  (void)state;
+  umbra_close(&umbra);
+  return 0;
+}
 
 static void page_is_up_to_date(void **state)
 {
@@ -15,13 +30,13 @@ static void page_is_up_to_date(void **state)
   if (getenv("UMBRA_WRITE_DOCS") != NULL) {
     FILE *page = fopen(PAGE, "w");
     assert_non_null(page);
-    um_effects_write_manual(page);
+    um_app_effect_manual(page, umbra);
     assert_int_equal(fclose(page), 0);
   }
   FILE *page = fopen(PAGE, "r"), *fresh = tmpfile();
   if (page == NULL) fail_msg("docs/effects.md is missing; run this test with UMBRA_WRITE_DOCS=1");
   assert_non_null(fresh);
-  um_effects_write_manual(fresh);
+  um_app_effect_manual(fresh, umbra);
   rewind(fresh);
   for (int line = 1;; line++) {
     const char *a = fgets(kept, sizeof kept, page), *b = fgets(made, sizeof made, fresh);
@@ -35,15 +50,18 @@ static void page_is_up_to_date(void **state)
   fclose(fresh);
 }
 
-static void write_to(char *out, size_t size, const struct um_effect *effect)
+static const struct umbra_effect *write_to(char *out, size_t size, const char *name)
 {
+  const struct umbra_effect *effect;
   FILE *file = tmpfile();
   assert_non_null(file);
-  um_effects_write_markdown(file, effect);
+  assert_int_equal(umbra_effect_find(umbra, name, &effect), UMBRA_OK);
+  um_app_effect_page(file, effect);
   rewind(file);
   size_t n = fread(out, 1, size - 1, file);
   out[n] = '\0';
   fclose(file);
+  return effect;
 }
 
 /* A page holds all of its descriptor, for switches and for effects with a target. */
@@ -51,27 +69,38 @@ static void page_holds_the_descriptor(void **state)
 {
   (void)state;
   char page[4096];
-  write_to(page, sizeof page, um_effects_find("albedo"));
+  write_to(page, sizeof page, "albedo");
   assert_non_null(strstr(page, "on by default"));
   assert_non_null(strstr(page, "{effect: albedo, off: true}"));
   assert_non_null(strstr(page, "--without albedo`"));
-  const struct um_effect *e = um_effects_find("panel_extraction");
-  write_to(page, sizeof page, e);
+  const struct umbra_effect *e = write_to(page, sizeof page, "panel_extraction");
   assert_non_null(strstr(page, e->summary));
   assert_non_null(strstr(page, e->reference));
   assert_non_null(strstr(page, e->validity));
-  assert_non_null(strstr(page, e->parameters[0].help));
+  assert_non_null(strstr(page, e->parameter[0].help));
   assert_non_null(strstr(page, "| `efficiency` | 1 | 0 | 0.18 | -0.4 to 0.4 | 0.15 |"));
   assert_non_null(strstr(page, "--with panel_extraction:PART,efficiency=0.18`"));
-  write_to(page, sizeof page, um_effects_find("internal_power"));
+  write_to(page, sizeof page, "internal_power");
   assert_non_null(strstr(page, "| none |"));
+}
+
+static void page_of_an_effect_of_ones_own(void **state)
+{
+  (void)state;
+  char page[4096];
+  assert_int_equal(umbra_effects_load(umbra, PILEUP), UMBRA_OK);
+  write_to(page, sizeof page, "pileup");
+  assert_non_null(strstr(page, "## pileup"));
+  assert_non_null(strstr(page, "- told apart from roughness and exposure"));
+  assert_non_null(strstr(page, "--with pileup,q_m2_W=-1e+08`"));
 }
 
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(page_is_up_to_date),
-      cmocka_unit_test(page_holds_the_descriptor),
+      cmocka_unit_test_setup_teardown(page_is_up_to_date, enter, leave),
+      cmocka_unit_test_setup_teardown(page_holds_the_descriptor, enter, leave),
+      cmocka_unit_test_setup_teardown(page_of_an_effect_of_ones_own, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

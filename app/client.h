@@ -1,0 +1,186 @@
+/* What every verb of the command knows, those that are clients of library/umbra.h alone, too:
+ * exits, options, the table of verbs. */
+#ifndef UMBRA_APP_CLIENT_H
+#define UMBRA_APP_CLIENT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "library/umbra.h"
+
+struct um_context;
+
+/* UM_APP_VERSION, as "1.2.3": the project's, from CMakeLists.txt by the build. */
+
+#define UM_APP_RENDER_WIDTH      512 /* pixels */
+#define UM_APP_RENDER_SAMPLES    16  /* per pixel */
+#define UM_APP_MAP_STEP          2   /* [deg] */
+#define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
+#define UM_APP_MAP_PLANES        4
+#define UM_APP_AXIS_STEP         5 /* [deg] */
+#define UM_APP_SOLUTIONS         24
+#define UM_APP_FLOOR             0.001 /* of the peak */
+#define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
+
+/* Exit codes of every command, and what help and man page say of them: CODE(name, number, text). */
+#define UM_APP_EXITS(CODE)                                                                         \
+  CODE(UM_APP_DONE, 0, "done")                                                                     \
+  CODE(UM_APP_FAILED, 1, "failed: one line on standard error says why")                            \
+  CODE(UM_APP_MISUSE, 2, "misuse of the command line")                                             \
+  CODE(UM_APP_LOST, 3,                                                                             \
+       "study, forecast: points are missing, since their processes died: --resume computes them")  \
+  CODE(UM_APP_EXCEEDED, 4, "done, but a limit is exceeded or a case misses its tolerance")
+#define UM_APP_EXIT_NAME(name, number, text) name = number,
+enum um_app_exit {
+  UM_APP_EXITS(UM_APP_EXIT_NAME) UM_APP_SIGNAL = 128 /* + n: ended by signal n */
+};
+
+/* Options that verbs have in common, as parsed; texts borrowed from argv. */
+struct um_app_options {
+  const char *positional[4];
+  int npositional;
+  const char *out;  /* --out, -o */
+  const char **set; /* --set KEY=VALUE */
+  size_t nset;
+  const char **with, **without;
+  size_t nwith, nwithout;
+  const char **effect_file; /* --effect-file */
+  size_t neffect_file;
+  const char *time_utc, *band;       /* --time, --band */
+  int width, samples;                /* --width, --samples */
+  const char *wavelengths, *tile;    /* --wavelengths, --tile */
+  const char *sensor, *psf, *motion; /* of frame: --sensor, --psf, --motion */
+  const char **star;                 /* of frame and photometry: --star */
+  size_t nstar;
+  int border;                      /* of frame, 0: not said */
+  const char *aperture, *at, *sky; /* of photometry */
+  const char *extinction;          /* of calibrate */
+  const char **more;               /* arguments behind positional, where the last may be many */
+  size_t nmore;
+  const char **picture; /* --picture */
+  size_t npicture;
+  /* of synth: --noise, --seed, --temperatures, --temperature-sigma */
+  const char *noise, *seed, *temperatures, *temperature_sigma;
+  /* of diagnose and fit: --only, --exclude, --nuisance, --add, --level, --steps */
+  const char **only, **exclude, **nuisance, **add;
+  size_t nonly, nexclude, nnuisance, nadd;
+  double level;                                      /* 0: not said */
+  int steps;                                         /* 0: not said */
+  const char *from_brdf, *half_angle, *from_profile; /* of materials */
+  const char *from_reflectance, *reference, *angle;
+  /* of map and attitude: --step, --phase-angles, --planes */
+  const char *step, *phase_angles;
+  int planes;
+  const char *period, *axis_step; /* of attitude: --period, --axis-step */
+  int solutions;                  /* --solutions */
+  bool study_check;               /* of study: --check */
+  const char *measured;           /* of study: --measured FILE */
+  bool force, json, thermal, optics, no_plots, allow_effects;
+  bool grey_body; /* of synth: --grey-body */
+  /* of study and forecast: --workers (0: not said), --share, --resume */
+  int workers;
+  const char *share;
+  bool resume;
+  const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
+  const char **station;
+  size_t nstation;
+  char *command; /* the command as typed */
+};
+
+/* What an option takes and where it goes. */
+enum um_app_takes {
+  UM_APP_FLAG,    /* nothing; bool */
+  UM_APP_TEXT,    /* const char * */
+  UM_APP_LIST,    /* const char **, may come again; the count stands at `count` */
+  UM_APP_NUMBER,  /* whole number from 1 to `most`; int */
+  UM_APP_SHARE,   /* number between 0 and 1; double */
+  UM_APP_THREADS, /* goes to the context */
+  UM_APP_HELP
+};
+/* What a shell offers for an argument. */
+enum um_app_offers {
+  UM_APP_NOTHING,
+  UM_APP_FILES,
+  UM_APP_FOLDERS,
+  UM_APP_SCENARIOS,
+  UM_APP_STUDIES,
+  UM_APP_TABLES, /* *.csv */
+  UM_APP_EFFECTS,
+  UM_APP_MATERIALS,
+  UM_APP_SENSORS,
+  UM_APP_SECTIONS, /* of the scenario reference */
+  UM_APP_SHELLS,
+  UM_APP_VERBS
+};
+
+/* One option; help, man page, completion and parsing follow from it. */
+struct um_app_option {
+  const char *id; /* what verbs call it */
+  const char *name, *argument;
+  char letter; /* 0: none */
+  enum um_app_takes takes;
+  size_t at, count; /* offsets in um_app_options */
+  int most;
+  enum um_app_offers offers;
+  const char *default_value; /* what holds without it; NULL: nothing to say */
+  const char *example;       /* NULL: of itself clear */
+  const char *help;
+};
+/* By id; NULL when there is none. */
+const struct um_app_option *um_app_option_find(const char *id);
+/* In order of the table; NULL behind the last. */
+const struct um_app_option *um_app_option_at(size_t index);
+/* The next of a list of ids, parted by blanks, NULL at its end; *list moves. */
+const struct um_app_option *um_app_option_next(const char **list);
+
+/* Returns the exit status. UM_APP_MISUSE: said what is wrong; the usage line is printed behind it.
+ */
+typedef int um_app_command(struct um_context *context, const struct um_app_options *options);
+
+struct um_app_verb {
+  const char *name;
+  const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
+  const char *summary;
+  const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
+  const char *about;           /* what help adds; NULL: nothing */
+  const char *examples;        /* a line each */
+  um_app_command *run;
+};
+size_t um_app_verb_count(void);
+const struct um_app_verb *um_app_verb_at(size_t index);
+/* NULL when there is none. */
+const struct um_app_verb *um_app_verb_find(const char *name);
+/* A word of an argument list as "SCENARIO" without brackets, false at its end; *list moves. */
+bool um_app_argument_next(const char **list, char name[32], bool *optional);
+enum um_app_offers um_app_argument_offers(const char *name);
+
+/* "umbra run SCENARIO [--out DIR] ..." on one line, without a line end. */
+void um_app_usage(FILE *file, const struct um_app_verb *verb);
+/* The commands; one command with its options; everything, as the man page wants it. */
+void um_app_help(FILE *file);
+void um_app_help_verb(FILE *file, const struct um_app_verb *verb);
+void um_app_help_all(FILE *file);
+/* "unknown command 'nur'" with the nearest one. */
+#define UM_APP_UNKNOWN 192
+void um_app_verb_unknown(const char *name, char out[UM_APP_UNKNOWN]);
+
+/* A session whose log goes to the terminal. UM_APP_DONE; UM_APP_FAILED: said why. The caller closes
+ * it. */
+int um_app_session_open(struct umbra **out);
+/* Print the session's message as "umbra: message" on stderr; returns UM_APP_FAILED. */
+int um_app_session_fail(const struct umbra *umbra);
+
+/* The manual's page of an effect, as Markdown, and the whole manual of those that come with the
+ * program, docs/effects.md. Errors of writing are the stream's. */
+void um_app_effect_page(FILE *file, const struct umbra_effect *effect);
+void um_app_effect_manual(FILE *file, const struct umbra *umbra);
+
+/* The commands. */
+um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_check, um_app_passes,
+    um_app_forecast, um_app_filters, um_app_retrieve, um_app_photometry, um_app_calibrate,
+    um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
+    um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
+    um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
+    um_app_synth, um_app_validate, um_app_schema, um_app_completion, um_app_help_command;
+
+#endif
