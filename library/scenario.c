@@ -73,29 +73,6 @@ enum um_status um_library_take_key(struct um_context *context, const char *key, 
   return UM_OK;
 }
 
-static enum um_status set(struct um_context *context, struct um_library_source *source,
-                          const char *key, double number, const char *text)
-{
-  struct um_document_change change;
-  UM_TRY(um_library_take_key(context, key, number, text, &change));
-  UM_TRY(um_library_source_add_set(context, source, &change));
-  enum um_status status = check(context, source);
-  if (status != UM_OK) um_library_source_drop_set(context, source);
-  return status;
-}
-
-enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
-                                     const char *key, const char *value)
-{
-  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, 0.0, value));
-}
-
-enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,
-                                            const char *key, double value)
-{
-  return um_library_status(set(um_library_begin(umbra), &scenario->source, key, value, NULL));
-}
-
 static enum um_status check_value(struct um_context *context, const struct um_effect *effect,
                                   const char *name, double value)
 {
@@ -145,10 +122,64 @@ enum um_status um_library_take_change(struct um_context *context,
   return um_library_source_add_change(context, source, &typed);
 }
 
-enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
-                                        const struct umbra_effect_change *change)
+enum um_status um_library_check_change(struct um_context *context,
+                                       const struct umbra_change *change, size_t index)
+{
+  UM_TRY(um_library_check_size(context, "struct umbra_change", change->size, sizeof *change));
+  if ((change->key == NULL) != (change->effect == NULL)) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "change %zu; accepted: a key or an effect", index + 1);
+}
+
+static enum um_status take(struct umbra *umbra, const struct umbra_change *change, size_t index,
+                           struct um_library_source *source)
+{
+  struct um_context *context = umbra->context;
+  struct um_document_change key;
+  UM_TRY(um_library_check_change(context, change, index));
+  if (change->key == NULL)
+    return um_library_take_change(context, umbra->registry, change->effect, source);
+  UM_TRY(um_library_take_key(context, change->key, change->number, change->text, &key));
+  return um_library_source_add_set(context, source, &key);
+}
+
+enum umbra_status umbra_scenario_change(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_change *change, size_t n)
 {
   struct um_context *context = um_library_begin(umbra);
-  return um_library_status(
-      um_library_take_change(context, umbra->registry, change, &scenario->source));
+  struct um_library_source *source = &scenario->source;
+  size_t nset = source->nset, nchange = source->nchange;
+  enum um_status status = UM_OK;
+  for (size_t i = 0; status == UM_OK && i < n; i++) status = take(umbra, &change[i], i, source);
+  if (status == UM_OK && source->nset > nset) status = check(context, source);
+  while (status != UM_OK && source->nset > nset) um_library_source_drop_set(context, source);
+  while (status != UM_OK && source->nchange > nchange)
+    um_library_source_drop_change(context, source);
+  return um_library_status(status);
+}
+
+enum umbra_status umbra_scenario_set(struct umbra *umbra, struct umbra_scenario *scenario,
+                                     const char *key, const char *value)
+{
+  struct umbra_change change = UMBRA_CHANGE;
+  change.key = key;
+  change.number = NAN;
+  change.text = value;
+  return umbra_scenario_change(umbra, scenario, &change, 1);
+}
+
+enum umbra_status umbra_scenario_set_number(struct umbra *umbra, struct umbra_scenario *scenario,
+                                            const char *key, double value)
+{
+  struct umbra_change change = UMBRA_CHANGE;
+  change.key = key;
+  change.number = value;
+  return umbra_scenario_change(umbra, scenario, &change, 1);
+}
+
+enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_effect_change *effect)
+{
+  struct umbra_change change = UMBRA_CHANGE;
+  change.effect = effect;
+  return umbra_scenario_change(umbra, scenario, &change, 1);
 }

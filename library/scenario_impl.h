@@ -10,6 +10,9 @@ struct umbra_scenario {
   struct um_library_source source;
 };
 
+/* Is it one change, the index-th from 0? UM_ERR_INPUT. */
+enum um_status um_library_check_change(struct um_context *context,
+                                       const struct umbra_change *change, size_t index);
 /* A key with a number, text NULL, or with YAML text, which the change borrows. UM_ERR_INPUT. */
 enum um_status um_library_take_key(struct um_context *context, const char *key, double number,
                                    const char *text, struct um_document_change *out);

@@ -72,6 +72,11 @@ done:
   return status;
 }
 
+void um_library_source_drop_change(struct um_context *context, struct um_library_source *source)
+{
+  change_release(context, &source->change[--source->nchange]);
+}
+
 enum um_status um_library_source_copy(struct um_context *context,
                                       const struct um_library_source *source,
                                       struct um_library_source *out)
@@ -89,7 +94,7 @@ enum um_status um_library_source_copy(struct um_context *context,
 void um_library_source_release(struct um_context *context, struct um_library_source *source)
 {
   while (source->nset > 0) um_library_source_drop_set(context, source);
-  for (size_t i = 0; i < source->nchange; i++) change_release(context, &source->change[i]);
+  while (source->nchange > 0) um_library_source_drop_change(context, source);
   UM_FREE(context, source->set, source->change, source->path, source->text);
   *source = (struct um_library_source){0};
 }

@@ -24,6 +24,7 @@ enum um_status um_library_source_add_change(struct um_context *context,
                                             const struct um_model_change *change);
 /* Take the last one off. */
 void um_library_source_drop_set(struct um_context *context, struct um_library_source *source);
+void um_library_source_drop_change(struct um_context *context, struct um_library_source *source);
 /* out: released by the caller, also after a failure. */
 enum um_status um_library_source_copy(struct um_context *context,
                                       const struct um_library_source *source,

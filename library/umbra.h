@@ -12,17 +12,19 @@
  * object they were asked of. Texts are UTF-8. Angles in names of keys are degrees.
  *
  * Threads: a session belongs to one thread at a time, and so do the objects made with it; several
- * sessions work side by side. Work inside a call is shared among settings.threads threads; results
+ * sessions work side by side. They may run one model at once, which a run only reads, where it is
+ * closed after their results. Work inside a call is shared among settings.threads threads; results
  * do not depend on their number.
  *
  * Processes: nothing here prints, ends the process, installs a signal handler or keeps state of its
  * own outside of the session. What works in forked children, which are gone when the call returns:
  * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures); and, where
  * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose and
- * umbra_fit: such a child computes with one thread, and calls none of the callbacks. Foreign
- * libraries keep state of the process: GSL's error handler is turned off; a large solid opens
- * CHOLMOD, and sets the threads of its BLAS to one; netCDF/HDF5 are for one thread at a time, so
- * umbra_result_write is, too. */
+ * umbra_fit: such a child computes with one thread, and calls none of the callbacks. A child has
+ * the calling thread alone, and locks that others held stay held in it: a host that has such
+ * threads sets settings.threads to 1. Foreign libraries keep state of the process: GSL's error
+ * handler is turned off; a large solid opens CHOLMOD, and sets OPENBLAS_NUM_THREADS to 1 in the
+ * environment; netCDF/HDF5 are for one thread at a time, so umbra_result_write is, too. */
 #ifndef UMBRA_UMBRA_H
 #define UMBRA_UMBRA_H
 
@@ -121,6 +123,24 @@ struct umbra_effect_change {
  */
 enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenario *scenario,
                                         const struct umbra_effect_change *change);
+/* One change: a key with a number (with YAML text where `text` is not NULL, as a time has it), or
+ * an effect, whose other parameters keep what they are. */
+struct umbra_change {
+  size_t size;
+  const char *key; /* as of umbra_scenario_set; NULL: `effect` */
+  double number;
+  const char *text;
+  const struct umbra_effect_change *effect;
+};
+#define UMBRA_CHANGE                                                                               \
+  {                                                                                                \
+    sizeof(struct umbra_change), NULL, 0.0, NULL, NULL                                             \
+  }
+
+/* Several changes [nchange] at once, all or none: only what they make together is checked, so that
+ * a window of time may move. Errors of the three above. */
+enum umbra_status umbra_scenario_change(struct umbra *umbra, struct umbra_scenario *scenario,
+                                        const struct umbra_change *change, size_t nchange);
 void umbra_scenario_close(struct umbra_scenario **scenario);
 
 /* --- model ----------------------------------------------------------------------------------- */
@@ -162,8 +182,9 @@ struct umbra_array {
 
 /* An array by its name, NULL where the result has none of it; borrowed from the result, so that
  * nothing is copied. A run has
- *   time_unix_s [time], sunlit [time], hidden [time] (1 below the horizon or behind the Earth),
- *   range_m, phase_angle_rad [time] with an observer,
+ *   time_unix_s [time], of mid-exposure, sunlit [time], the share of the Sun's energy that arrives,
+ *   hidden [time] (1 below the horizon or behind the Earth),
+ *   range_m, phase_angle_rad [time] (at the satellite, Sun to observer) with an observer,
  *   irradiance, magnitude_ab, magnitude_vega, intensity, intensity_error [time, band],
  *   intensity_parts [time, band, material, mechanism], mechanisms being Sun, Earth, emitted,
  *   inter-reflected, other,
@@ -188,7 +209,8 @@ struct umbra_write {
   }
 
 /* Write the files that the command writes for such a result (docs/files.md); the folder appears
- * whole or not at all. write: NULL for the defaults. UMBRA_ERR_IO. */
+ * whole or not at all. write: NULL for the defaults. UMBRA_ERR_IO; UMBRA_ERR_INPUT: results of
+ * variants, which have none. */
 enum umbra_status umbra_result_write(struct umbra *umbra, const struct umbra_result *result,
                                      const char *folder, const struct umbra_write *write);
 void umbra_result_close(struct umbra_result **result);
@@ -217,20 +239,6 @@ enum umbra_status umbra_variants_open(struct umbra *umbra, struct umbra_model *m
                                       const struct umbra_variants_settings *settings,
                                       struct umbra_variants **out);
 void umbra_variants_close(struct umbra_variants **variants);
-
-/* One change: a key with a number (with YAML text where `text` is not NULL, as a time has it), or
- * an effect, whose other parameters keep what the model says. */
-struct umbra_change {
-  size_t size;
-  const char *key; /* as of umbra_scenario_set; NULL: `effect` */
-  double number;
-  const char *text;
-  const struct umbra_effect_change *effect;
-};
-#define UMBRA_CHANGE                                                                               \
-  {                                                                                                \
-    sizeof(struct umbra_change), NULL, 0.0, NULL, NULL                                             \
-  }
 
 /* Light and temperatures of the model with changes [nchange], borrowed for the call: keys in their
  * order, then effects that are turned off, then those that are turned on. The result has the arrays
@@ -293,8 +301,8 @@ struct umbra_columns {
   const double *exposure_s;    /* NaN: the scenario's */
   const int *flag;             /* not 0: left out */
   const char *const *track, *const *station;
-  const double *satellite_height_km, *azimuth_deg,
-      *elevation_deg; /* of orbit.points; all or none */
+  /* of orbit.points, all or none: height above the ellipsoid, north over east, airless */
+  const double *satellite_height_km, *azimuth_deg, *elevation_deg;
 };
 #define UMBRA_COLUMNS                                                                              \
   {                                                                                                \

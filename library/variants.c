@@ -134,9 +134,7 @@ enum um_status um_library_changes_take(struct um_context *context, const struct 
   to->all.without = (const char *const *)to->off;
   for (size_t i = 0; i < n; i++) {
     const struct umbra_change *c = &change[i];
-    UM_TRY(um_library_check_size(context, "struct umbra_change", c->size, sizeof *c));
-    if ((c->key == NULL) == (c->effect == NULL))
-      return um_core_fail(context, UM_ERR_INPUT, "change %zu; accepted: a key or an effect", i + 1);
+    UM_TRY(um_library_check_change(context, c, i));
     if (c->effect != NULL)
       UM_TRY(take_effect(context, model, c->effect, to));
     else

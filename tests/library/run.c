@@ -466,6 +466,62 @@ static void test_threads(void **state)
   }
 }
 
+struct guest {
+  pthread_t thread;
+  struct umbra_model *model;
+  struct umbra *own;
+  struct umbra_result *result;
+};
+
+static void *run_guest(void *self)
+{
+  struct guest *guest = self;
+  struct umbra_settings settings = UMBRA_SETTINGS;
+  settings.threads = 1;
+  if (umbra_open(&settings, &guest->own) == UMBRA_OK)
+    (void)umbra_run(guest->own, guest->model, &guest->result);
+  return NULL;
+}
+
+static void expect_same_result(const struct umbra_result *a, const struct umbra_result *b)
+{
+  for (size_t i = 0; umbra_result_array_at(a, i) != NULL; i++) {
+    const struct umbra_array *x = umbra_result_array_at(a, i), *y = umbra_result_array_at(b, i);
+    size_t n = 1;
+    assert_string_equal(x->name, y->name);
+    for (size_t k = 0; k < x->dimensions; k++) n *= x->shape[k];
+    assert_memory_equal(x->data, y->data, n * sizeof *x->data);
+  }
+}
+
+/* Eight sessions run one model at once: the same bits. */
+static void test_one_model(void **state)
+{
+  (void)state;
+  struct guest guest[8] = {0};
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_result *alone;
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  ok(umbra_model_build(umbra, scenario, &model));
+  ok(umbra_run(umbra, model, &alone));
+  for (size_t i = 0; i < 8; i++) {
+    guest[i].model = model;
+    assert_int_equal(pthread_create(&guest[i].thread, NULL, run_guest, &guest[i]), 0);
+  }
+  for (size_t i = 0; i < 8; i++) {
+    assert_int_equal(pthread_join(guest[i].thread, NULL), 0);
+    assert_non_null(guest[i].result);
+    expect_same_result(alone, guest[i].result);
+    umbra_result_close(&guest[i].result);
+    umbra_close(&guest[i].own);
+  }
+  umbra_result_close(&alone);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+}
+
 /* The data folder that is given goes before the others. */
 static void test_data_folder(void **state)
 {
@@ -718,6 +774,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_many_refused, enter, leave),
       cmocka_unit_test_setup_teardown(test_cache_folder, enter, leave),
       cmocka_unit_test_setup_teardown(test_threads, enter, leave),
+      cmocka_unit_test_setup_teardown(test_one_model, enter, leave),
       cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -154,12 +154,52 @@ static void test_order(void **state)
   assert_close(read_back(NULL), 11.0, 0.0);
 }
 
+static void put(struct umbra_change *change, const char *key, const char *text)
+{
+  *change = (struct umbra_change)UMBRA_CHANGE;
+  change->key = key;
+  change->text = text;
+}
+
+/* A window that moves beyond its end: neither of its edges may be set before the other. */
+static void test_together(void **state)
+{
+  (void)state;
+  const char *start = "2016-09-07T18:07:00Z", *stop = "2016-09-07T18:11:00Z";
+  struct umbra_effect_change albedo = UMBRA_EFFECT_CHANGE;
+  struct umbra_change change[3];
+  albedo.effect = "albedo";
+  albedo.off = 1;
+  put(&change[0], "time.start_utc", start);
+  put(&change[1], "time.stop_utc", stop);
+  change[2] = (struct umbra_change)UMBRA_CHANGE;
+  change[2].effect = &albedo;
+  assert_int_equal(umbra_scenario_set(umbra, scenario, "time.start_utc", start), UMBRA_ERR_INPUT);
+  assert_int_equal(umbra_scenario_change(umbra, scenario, change, 3), UMBRA_OK);
+  assert_int_equal(scenario->source.nset, 2);
+  assert_int_equal(scenario->source.nchange, 1);
+  assert_close(read_back(NULL), 7000.0, 0.0);
+  put(&change[1], "time.stop_utc", "2016-09-05T18:11:00Z");
+  assert_int_equal(umbra_scenario_change(umbra, scenario, change, 3), UMBRA_ERR_INPUT);
+  assert_non_null(strstr(umbra_message(umbra), "stop_utc"));
+  put(&change[1], "time.stop_utc", stop);
+  albedo.effect = "albeda";
+  assert_int_equal(umbra_scenario_change(umbra, scenario, change, 3), UMBRA_ERR_INPUT);
+  change[2].key = "name";
+  assert_int_equal(umbra_scenario_change(umbra, scenario, change, 3), UMBRA_ERR_INPUT);
+  assert_string_equal(umbra_message(umbra), "change 3; accepted: a key or an effect");
+  assert_int_equal(umbra_scenario_set(umbra, scenario, "name", NULL), UMBRA_ERR_INPUT);
+  assert_int_equal(scenario->source.nset, 2); /* none of them stayed */
+  assert_int_equal(scenario->source.nchange, 1);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_every_bit, enter, leave),
       cmocka_unit_test_setup_teardown(test_refused_as_text, enter, leave),
       cmocka_unit_test_setup_teardown(test_order, enter, leave),
+      cmocka_unit_test_setup_teardown(test_together, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
