@@ -474,9 +474,10 @@ const struct umbra_effect *umbra_effect_at(const struct umbra *umbra, size_t ind
 enum umbra_status umbra_effect_find(struct umbra *umbra, const char *name,
                                     const struct umbra_effect **out);
 /* Effects of one's own (examples/effects): a shared object, whose code runs inside the process.
- * They stand behind the others, and models that are built from now on may use them. What their
- * hooks call of Umbra the process has to export: the command does, libumbra has umbra_* alone.
- * UMBRA_ERR_IO, UMBRA_ERR_INPUT: no such object, or a name that is taken. */
+ * They stand behind the others, and models that are built from now on may use them; a scenario's
+ * own effect_files are refused where they are not loaded so. What their hooks call of Umbra the
+ * process has to export: the command does, libumbra has umbra_* alone. UMBRA_ERR_IO,
+ * UMBRA_ERR_INPUT: no such object, or a name that is taken. */
 enum umbra_status umbra_effects_load(struct umbra *umbra, const char *path);
 
 enum umbra_key_type {

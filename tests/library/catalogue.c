@@ -83,6 +83,21 @@ static double last_irradiance(const struct umbra_effect_change *change)
   return value;
 }
 
+/* A scenario does not have code loaded by itself. */
+static enum umbra_status build_with_file(void)
+{
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  assert_int_equal(
+      umbra_scenario_read(umbra, UMBRA_SOURCE_DIR "/tests/app/data/box.yaml", NULL, &scenario),
+      UMBRA_OK);
+  assert_int_equal(umbra_scenario_set(umbra, scenario, "effect_files", "[" PILEUP "]"), UMBRA_OK);
+  enum umbra_status status = umbra_model_build(umbra, scenario, &model);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+  return status;
+}
+
 /* E' = E (1 + q E), examples/effects/pileup.c. */
 static void test_own_effect(void **state)
 {
@@ -101,7 +116,9 @@ static void test_own_effect(void **state)
   double plain = last_irradiance(NULL);
   assert_int_equal(umbra_effects_load(umbra, "no-such.so"), UMBRA_ERR_IO);
   assert_null(umbra_effect_at(umbra, n));
+  assert_int_equal(build_with_file(), UMBRA_ERR_INPUT);
   assert_int_equal(umbra_effects_load(umbra, PILEUP), UMBRA_OK);
+  assert_int_equal(build_with_file(), UMBRA_OK);
   assert_string_equal(umbra_effect_at(umbra, n)->name, "pileup");
   assert_string_equal(umbra_effect_at(umbra, n)->parameter->name, "q_m2_W");
   assert_null(umbra_effect_at(umbra, n + 1));
