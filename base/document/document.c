@@ -1,4 +1,5 @@
 /* A YAML document as it is kept: its memory, its nodes, marks of what stands where. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -28,14 +29,17 @@ const struct um_node *um_document_node_child(const struct um_node *map, const ch
   return NULL;
 }
 
+/* The sign of 0 counts: it turns directions about. */
+static bool same_number(double a, double b) { return a == b && !signbit(a) == !signbit(b); }
+
 bool um_document_node_equal(const struct um_node *a, const struct um_node *b)
 {
   if (a->kind != b->kind || a->count != b->count) return false;
   if ((a->key == NULL) != (b->key == NULL)) return false;
   if (a->key != NULL && strcmp(a->key, b->key) != 0) return false;
   if (a->kind == UM_NODE_SCALAR && (a->plain != b->plain || a->typed != b->typed)) return false;
-  if (a->kind == UM_NODE_SCALAR && (a->typed ? memcmp(&a->number, &b->number, sizeof a->number) != 0
-                                             : strcmp(a->text, b->text) != 0))
+  if (a->kind == UM_NODE_SCALAR &&
+      (a->typed ? !same_number(a->number, b->number) : strcmp(a->text, b->text) != 0))
     return false;
   const struct um_node *p = a->first, *q = b->first;
   for (; p != NULL && q != NULL; p = p->next, q = q->next)
