@@ -7,8 +7,8 @@
  *
  * Audit. The integrals of the heat terms are CVODES quadratures: the same formula with the same
  * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
- * closes to the residual of Newton's iteration, which is solved to NEWTON_SHARE
- * (integrator_create.c) of the step's error test instead of the usual 0.1. */
+ * closes to the residual of Newton's iteration, a tenth of the step's error test, and to what the
+ * solution with exchange leaves of a right side (integrator_create.c). */
 #include <string.h>
 
 #include "thermal/solver/integrator_data_impl.h"

@@ -6,10 +6,12 @@
 #include "thermal/solver/integrator_group.h"
 #include "thermal/solver/vector_impl.h"
 
-#define NEWTON_SHARE   1e-4
+/* Newton's iteration ends at CVODES' own 0.1 of the error test: 1e-4 makes ENVISAT's temperatures
+ * no more accurate and its run a seventh longer. What iterations about the exchange leave stays in
+ * the heat balance of a closed room. */
 #define LINEAR_SHARE   1e-5 /* of a right side that iterated linear solutions leave */
-#define EXCHANGE_SHARE 1e-4 /* the same with exchange between surfaces */
-#define EXCHANGE_LOOSE 1e-2 /* where Newton's iteration ends as CVODES has it */
+#define EXCHANGE_SHARE 3e-4 /* the same with exchange between surfaces */
+#define EXCHANGE_LOOSE 1e-2 /* the same where tolerances are looser than asked */
 
 static enum um_status vectors_create(struct um_thermal_integrator *integrator)
 {
@@ -52,7 +54,6 @@ enum um_status um_thermal_integrator_tolerances(struct um_thermal_integrator *in
   SUN_CHECK(CVodeSStolerances(integrator->cvodes, factor * options->relative_tolerance,
                               factor * options->absolute_tolerance));
   integrator->exchange_share = factor > 1.0 ? EXCHANGE_LOOSE : EXCHANGE_SHARE;
-  SUN_CHECK(CVodeSetNonlinConvCoef(integrator->cvodes, factor > 1.0 ? 0.1 : NEWTON_SHARE));
   return UM_OK;
 }
 
