@@ -1,6 +1,5 @@
 /* Nothing waits for ever, and no point is lost in silence: pipes in place of files, too little
  * memory, worker processes that are killed again and again. */
-#include <dirent.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -142,35 +141,37 @@ static void test_little_memory(void **state)
 }
 #endif
 
-/* The parent of a process that lives, 0: none such. */
-static long parent_of(long pid)
+/* Children of a process into out[most]; how many. A dead one that nobody has waited for counts. */
+static size_t children_of(long pid, long *out, size_t most)
 {
-  char path[64], name[64], state;
-  long parent = 0;
-  snprintf(path, sizeof path, "/proc/%ld/stat", pid);
+  char path[64];
+  size_t n = 0;
+  snprintf(path, sizeof path, "/proc/%ld/task/%ld/children", pid, pid);
   FILE *file = fopen(path, "r");
   if (file == NULL) return 0;
-  bool lives = fscanf(file, "%*d (%63[^)]) %c %ld", name, &state, &parent) == 3 && state != 'Z';
+  while (n < most && fscanf(file, "%ld", &out[n]) == 1) n++;
   fclose(file);
-  return lives ? parent : 0;
+  return n;
 }
 
-/* In a child of the test: kills workers, the grandchildren of the test, until `kills` are dead.
- * Each is seen dead before the next is looked for, so that none counts twice. */
+/* In a child of the test: kills workers, the grandchildren of the test, as soon as they are forked,
+ * until `kills` are dead. The latest is remembered, so that none counts twice. */
 static _Noreturn void kill_workers(long test, int kills)
 {
+  long command[4], worker[8], latest = 0;
   alarm(60);
-  for (;;) {
-    DIR *all = opendir("/proc");
-    for (struct dirent *entry; all != NULL && (entry = readdir(all)) != NULL;) {
-      long pid = strtol(entry->d_name, NULL, 10), parent = pid > 0 ? parent_of(pid) : 0;
-      if (parent <= 1 || parent == test || parent_of(parent) != test) continue;
-      if (kill((pid_t)pid, SIGKILL) != 0) continue;
-      while (parent_of(pid) != 0) nanosleep(&(struct timespec){0, 1000000}, NULL);
-      if (--kills == 0) _exit(0);
+  while (kills > 0) {
+    size_t n = children_of(test, command, 4);
+    for (size_t i = 0; i < n; i++) {
+      size_t m = command[i] == (long)getpid() ? 0 : children_of(command[i], worker, 8);
+      for (size_t k = 0; k < m && kills > 0; k++) {
+        if (worker[k] <= latest || kill((pid_t)worker[k], SIGKILL) != 0) continue;
+        latest = worker[k];
+        kills--;
+      }
     }
-    if (all != NULL) closedir(all);
   }
+  _exit(0);
 }
 
 /* Workers die over the first points, whichever they are: the others are computed, the exit status
