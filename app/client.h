@@ -10,8 +10,7 @@
 
 struct um_context;
 
-/* UM_APP_VERSION, as "1.2.3": the project's, from CMakeLists.txt by the build. */
-
+/* Defaults of options. UM_APP_VERSION, as "1.2.3", is the project's, defined by the build. */
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
 #define UM_APP_RENDER_SAMPLES    16  /* per pixel */
 #define UM_APP_MAP_STEP          2   /* [deg] */

@@ -136,7 +136,8 @@ enum um_status um_document_change(struct um_context *context, const struct um_do
                                   const struct um_schema_object *schema,
                                   const struct um_document_change *change, size_t nchange,
                                   struct um_document **out, void **root);
-/* A changed document takes its origin over, which goes with it; *origin is NULL behind it. */
+/* A changed document becomes the owner of its origin: destroying it destroys both. *origin is set
+ * to NULL. */
 void um_document_keep_origin(struct um_document *document, struct um_document **origin);
 void um_document_destroy(struct um_document **document);
 /* The document as YAML text after its overrides, comments kept where libfyaml keeps them; the

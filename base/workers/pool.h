@@ -1,7 +1,7 @@
-/* Worker processes of this machine. Each is a child with one thread that
- * computes one point at a time, dies with this process, and is replaced when it dies by itself or
- * is silent: has a point, and its processor clock stands still. A point may take hours, so long as
- * it is worked at; whoever is stopped, or waits for what does not come, uses no processor. */
+/* A pool of worker processes of this machine. Each is a child with one thread that computes one
+ * point at a time. It dies with this process. It is replaced when it dies by itself or is silent:
+ * it has a point, and its processor clock stands still. A point may take hours, so long as its
+ * worker uses the processor. */
 #ifndef UMBRA_WORKERS_POOL_H
 #define UMBRA_WORKERS_POOL_H
 

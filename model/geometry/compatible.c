@@ -1,4 +1,4 @@
-/* Which models geometry tables are valid for: all that they were traced of is compared, so
+/* For which models geometry tables are valid: all that they were traced of is compared, so
  * that nobody has to know which key or effect changes what. */
 #include "model/geometry/compatible.h"
 

@@ -1,4 +1,4 @@
-/* Which models geometry tables are valid for. */
+/* For which models geometry tables are valid. */
 #ifndef UMBRA_MODEL_COMPATIBLE_H
 #define UMBRA_MODEL_COMPATIBLE_H
 

@@ -9,9 +9,9 @@
  * joints as they stand then. Errors of um_thermal_solve_steady. */
 enum um_status um_model_balance_steady(struct um_context *context, const struct um_model *model,
                                        const struct um_model_tables *tables, double *temperature);
-/* The same under what every node absorbs and releases in the mean over the orbit with which the
- * geometry tables begin: H_i(T) + (1/P) int Q_i dt = 0. Because emission goes with T^4
- * this is above the mean of the temperatures. What moving joints change of the exchange between
+/* The same under the heat that every node absorbs and releases in the mean over the first orbit of
+ * the loads: H_i(T) + (1/P) int Q_i dt = 0. As emission is proportional to T^4, this is above the
+ * mean of the temperatures. What moving joints change of the exchange between
  * surfaces is left out: they stand as at the beginning of the orbit. UM_ERR_INPUT: no orbit to
  * average over. */
 enum um_status um_model_balance_orbit(struct um_context *context, const struct um_model *model,

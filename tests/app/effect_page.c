@@ -5,23 +5,9 @@
 
 #include "app/client.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/with_session.h"
 
 #define PAGE UMBRA_SOURCE_DIR "/docs/effects.md"
-
-static struct umbra *umbra;
-
-static int enter(void **state)
-{
-  (void)state;
-  return umbra_open(NULL, &umbra) == UMBRA_OK ? 0 : -1;
-}
-
-static int leave(void **state)
-{
-  (void)state;
-  umbra_close(&umbra);
-  return 0;
-}
 
 static void page_is_up_to_date(void **state)
 {
@@ -98,9 +84,10 @@ static void page_of_an_effect_of_ones_own(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(page_is_up_to_date, enter, leave),
-      cmocka_unit_test_setup_teardown(page_holds_the_descriptor, enter, leave),
-      cmocka_unit_test_setup_teardown(page_of_an_effect_of_ones_own, enter, leave),
+      cmocka_unit_test_setup_teardown(page_is_up_to_date, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(page_holds_the_descriptor, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(page_of_an_effect_of_ones_own, session_set_up,
+                                      session_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,21 +6,7 @@
 #include "library/key_unit_impl.h"
 #include "library/umbra.h"
 #include "tests/support/cmocka_all.h"
-
-static struct umbra *umbra;
-
-static int enter(void **state)
-{
-  (void)state;
-  return umbra_open(NULL, &umbra) == UMBRA_OK ? 0 : -1;
-}
-
-static int leave(void **state)
-{
-  (void)state;
-  umbra_close(&umbra);
-  return 0;
-}
+#include "tests/support/with_session.h"
 
 /* Every effect has what a doc string is made of; one is known whole. */
 static void test_effects(void **state)
@@ -294,14 +280,14 @@ static void test_citation_of_elements(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(test_effects, enter, leave),
-      cmocka_unit_test_setup_teardown(test_find, enter, leave),
-      cmocka_unit_test_setup_teardown(test_own_effect, enter, leave),
-      cmocka_unit_test_setup_teardown(test_data_names, enter, leave),
-      cmocka_unit_test_setup_teardown(test_keys, enter, leave),
+      cmocka_unit_test_setup_teardown(test_effects, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(test_find, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(test_own_effect, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(test_data_names, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(test_keys, session_set_up, session_tear_down),
       cmocka_unit_test(test_units_of_keys),
-      cmocka_unit_test_setup_teardown(test_citation, enter, leave),
-      cmocka_unit_test_setup_teardown(test_citation_of_elements, enter, leave),
+      cmocka_unit_test_setup_teardown(test_citation, session_set_up, session_tear_down),
+      cmocka_unit_test_setup_teardown(test_citation_of_elements, session_set_up, session_tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
 #include "thermal/solver/vector_impl.h"
 
 /* Newton's iteration ends at CVODES' own 0.1 of the error test: 1e-4 makes ENVISAT's temperatures
- * no more accurate and its run a seventh longer. What iterations about the exchange leave stays in
+ * no more accurate and its run a fifth longer. What iterations about the exchange leave stays in
  * the heat balance of a closed room. */
 #define LINEAR_SHARE   1e-5 /* of a right side that iterated linear solutions leave */
 #define EXCHANGE_SHARE 3e-4 /* the same with exchange between surfaces */

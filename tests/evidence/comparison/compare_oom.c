@@ -42,7 +42,7 @@ static void test_every_allocation(void **state)
   FILE *file = fopen("m.csv", "wb");
   assert_non_null(file);
   fputs(HEAD, file);
-  for (int k = 0; k < 5; k++) /* the geometry tables' own times, so that they serve the plan */
+  for (int k = 0; k < 5; k++) /* the geometry tables' own times, so that they fit the plan */
     fprintf(file,
             DAY "08:%02dZ,band_irradiance,lwir,1e-12,\n" DAY "08:%02dZ,temperature,+x,280,1\n",
             4 * k, 4 * k);

@@ -1,4 +1,4 @@
-/* Which models geometry tables are compatible with: for every key below the answer is that of
+/* With which models geometry tables are compatible: for every key below the answer is that of
  * tracing anew and comparing all that was traced, number for number; and for every member of the
  * environment, whether what is traced depends on it. */
 #include <stddef.h>

@@ -104,7 +104,7 @@ static void test_mean(void **state)
   help_end(&s);
 }
 
-static void test_ripple(void **state)
+static void test_variation(void **state)
 {
   (void)state;
   struct help_satellite s = {0};
@@ -132,6 +132,6 @@ static void test_ripple(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_mean), cmocka_unit_test(test_ripple)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_mean), cmocka_unit_test(test_variation)};
   return cmocka_run_group_tests_name("irradiation_spin_averaged", tests, setup, help_teardown);
 }
