@@ -47,12 +47,12 @@ static double place_mean(const struct um_thermal_place *place, const double *tem
 
 static enum um_status place_history(struct um_context *context,
                                     const struct um_model_tables *tables,
-                                    const struct um_model_heat_run *run,
+                                    const struct um_model_thermal_solution *heat,
                                     const struct um_thermal_place *place,
                                     struct um_model_place_history *out)
 {
-  const struct um_thermal_history *h = run->history;
-  size_t shift = run->before ? 1 : 0;
+  const struct um_thermal_history *h = heat->run.history;
+  size_t shift = heat->run.before ? 1 : 0;
   UM_TRY(history_new(context, tables, "", place->name, out));
   for (size_t i = 0; i < instants(tables); i++) {
     const double *t = h->temperature + (i + shift) * h->nnode;
@@ -62,7 +62,8 @@ static enum um_status place_history(struct um_context *context,
       take(t[place->node[j]], place->weight[j], &mean, &low, &high);
     store(out, tables, i, mean, low, high);
   }
-  if (run->before)
+  if (!heat->run.before && heat->drift != NULL) out->drift = place_mean(place, heat->drift);
+  if (heat->run.before)
     out->drift = place_mean(place, h->temperature + h->nnode) - place_mean(place, h->temperature);
   return UM_OK;
 }
@@ -171,7 +172,7 @@ enum um_status um_model_run_histories(struct um_context *context, const struct u
   result->nplace = nplace + nmaterial;
   UM_TRY(um_core_allocate(context, result->nplace, sizeof *result->place, &result->place));
   for (size_t p = 0; p < nplace; p++)
-    UM_TRY(place_history(context, tables, run, &model->body->place[p], &result->place[p]));
+    UM_TRY(place_history(context, tables, heat, &model->body->place[p], &result->place[p]));
   for (size_t m = 0; m < nmaterial; m++)
     UM_TRY(material_history(context, model, tables, run, (uint32_t)m, &result->place[nplace + m]));
   return UM_OK;

@@ -56,9 +56,8 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
 }
 
 /* Is the periodic orbit over when the observations begin? Its end is then a state to go on from,
- * which saves following it again; what is lost is the audit of that orbit and the row before. Not
- * with a thermostat, which remembers whether it was on, nor where the run begins off the periodic
- * state. */
+ * which saves following it again. Not with a thermostat, which remembers whether it was on, nor
+ * where the run begins off the periodic state. */
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
   const struct um_model_tables *tables = heat->tables;
@@ -67,9 +66,8 @@ static bool goes_on(const struct um_model_thermal_solution *heat)
          tables->t_periodic_end <= tables->sample[0].t_tai + 1e-6;
 }
 
-/* From the start through the observations. brief: from as late as can be. */
-static enum um_status follow(struct um_context *context, bool brief,
-                             struct um_model_thermal_solution *heat)
+/* From the start, or the end of the periodic orbit, through the observations. */
+static enum um_status follow(struct um_context *context, struct um_model_thermal_solution *heat)
 {
   enum um_status status;
   const struct um_model_tables *tables = heat->tables;
@@ -78,14 +76,16 @@ static enum um_status follow(struct um_context *context, bool brief,
   double *times = NULL;
   UM_CHECK(um_core_allocate(context, ninstant + 1, sizeof *times, &times));
   double before = tables->t_first - tables->period, from = tables->t_start;
-  if (brief && goes_on(heat)) from = fmin(tables->t_periodic_end, tables->sample[0].t_tai);
+  bool on = goes_on(heat);
+  if (on) from = fmin(tables->t_periodic_end, tables->sample[0].t_tai);
   run->from = from;
-  run->before = from <= tables->t_start && before >= tables->t_start - 1e-6;
-  if (run->before) times[0] = fmax(before, tables->t_start);
+  run->before = before >= from - 1e-6;
+  if (run->before) times[0] = fmax(before, from);
   for (size_t i = 0; i < ninstant; i++) times[i + (run->before ? 1 : 0)] = tables->sample[i].t_tai;
   UM_CHECK(um_thermal_solve(context, heat->model->body->network, tables->loads,
                             &heat->solver.options, heat->start, from, times,
                             ninstant + (run->before ? 1 : 0), &run->history));
+  if (on) um_thermal_history_audit_join(run->history, &heat->orbit);
 done:
   um_core_free(context, times);
   return status;
@@ -132,7 +132,6 @@ struct solution_options {
   const struct um_model_thermal_solution *warm; /* NULL: from nothing */
   double tolerance_factor;
   double periodic; /* of the state that repeats [K] */
-  bool brief;      /* from the end of the periodic orbit on */
 };
 
 static enum um_status solution_make(struct um_context *context, const struct um_model *model,
@@ -157,6 +156,8 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   heat->solver.options.tolerance_factor = options->tolerance_factor;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
+  if (periodic && !isnan(tables->period))
+    UM_CHECK(um_core_allocate(context, n, sizeof *heat->drift, &heat->drift));
   for (size_t i = 0; i < n; i++)
     heat->start[i] = um_thermal_network_temperature(network, (uint32_t)i);
   UM_CHECK(um_model_thermal_start(context, warm, options->periodic, heat));
@@ -165,7 +166,7 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   if (tables->spin_variation != NULL && model->scenario->thermal->start == UM_START_ISOTHERMAL)
     UM_CHECK(um_thermal_spin_variation_add(context, network, tables->spin_variation,
                                            &heat->solver.options, 0, -1.0, heat->start));
-  UM_CHECK(tables->points ? hold_start(context, heat) : follow(context, options->brief, heat));
+  UM_CHECK(tables->points ? hold_start(context, heat) : follow(context, heat));
   UM_CHECK(variation_add(context, heat));
   UM_CHECK(um_model_heat_run_surfaces(context, heat));
   *out = heat;
@@ -182,8 +183,7 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out)
 {
-  const struct solution_options options = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE,
-                                           tolerance_factor > 1.0};
+  const struct solution_options options = {warm, tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE};
   return solution_make(context, model, tables, &options, out);
 }
 
@@ -194,7 +194,7 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               double tolerance_factor, double periodic,
                                               struct um_model_thermal_solution **out)
 {
-  const struct solution_options options = {warm, tolerance_factor, periodic, true};
+  const struct solution_options options = {warm, tolerance_factor, periodic};
   return solution_make(context, model, tables, &options, out);
 }
 
@@ -227,7 +227,8 @@ void um_model_thermal_solution_destroy(struct um_context *context,
 {
   if (heat == NULL || *heat == NULL) return;
   um_thermal_history_destroy(context, &(*heat)->run.history);
-  UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->residual);
+  UM_FREE(context, (*heat)->run.surface, (*heat)->start, (*heat)->mean, (*heat)->residual,
+          (*heat)->drift);
   um_model_solver_options_clear(context, &(*heat)->solver);
   um_core_free(context, *heat);
   *heat = NULL;

@@ -13,9 +13,8 @@ struct um_model_thermal_solution;
 /* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from where
  * that of `warm` moves to, which takes an orbit or two in place of many; the state found differs
  * within the tolerance of the search (0.01 K). It does not touch an isothermal start.
- * tolerance_factor: factor >= 1 on the tolerances of the integration; above 1 the run goes on from
- * the end of the periodic orbit where it can, without drift of the places and with an audit of the
- * observations alone. Errors of the thermal solvers. The caller destroys. */
+ * tolerance_factor: factor >= 1 on the tolerances of the integration. The run goes on from the end
+ * of the periodic orbit where it can. Errors of the thermal solvers. The caller destroys. */
 enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model *model,
                                                 const struct um_model_tables *tables,
@@ -23,8 +22,7 @@ enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 double tolerance_factor,
                                                 struct um_model_thermal_solution **out);
 /* The same for many models next to each other: the periodic state is found to within `periodic`
- * [K], of which the search's own estimate is a few times what is left, and the run goes on from
- * there with any tolerance_factor. */
+ * [K], of which the search's own estimate is a few times what is left. */
 enum um_status um_model_thermal_solution_near(struct um_context *context,
                                               const struct um_model *model,
                                               const struct um_model_tables *tables,

@@ -9,7 +9,7 @@
 
 /* Temperatures at every instant of the geometry tables. history: rows
  * are an instant one orbit before the first (when `before`), then the geometry tables'
- * instants. */
+ * instants; its audit has the periodic orbit, too, where the history goes on from its end. */
 struct um_model_heat_run {
   struct um_thermal_history *history;
   bool before;
@@ -24,6 +24,9 @@ struct um_model_thermal_solution {
   double *mean;     /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
   double *residual; /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
   double periodic_distance; /* what the periodic start left [K]; NaN when isothermal */
+  double
+      *drift; /* [nnode] change over the orbit that was found periodic [K]; NULL: there is none */
+  struct um_thermal_audit orbit; /* its audit */
   struct um_model_heat_run run;
 };
 

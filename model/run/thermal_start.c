@@ -30,8 +30,9 @@ static enum um_status search(struct um_context *context, struct um_model_thermal
   if (draft) options.tolerance_factor = fmax(options.tolerance_factor, DRAFT_FACTOR);
   UM_TRY(um_thermal_solve_periodic_report(context, network, tables->loads, &options, heat->start,
                                           tables->t_start, tables->period, wanted, heat->start,
-                                          NULL, heat->mean, &report));
+                                          heat->drift, heat->mean, &report));
   heat->periodic_distance = report.distance;
+  heat->orbit = report.audit;
   return UM_OK;
 }
 

@@ -63,8 +63,12 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
   if (p->frame->posed->exchange == NULL) return;
   /* of a surface that something hides in part, the mean over the part that is seen */
   double seen = p->seen[k];
-  const struct um_optics_paths paths = {p->few, scene, now, p->frame->posed, &p->few_work[thread],
-                                        1,      NULL};
+  const struct um_optics_paths paths = {.spectra = p->few,
+                                        .scene = scene,
+                                        .instant = now,
+                                        .posed = p->frame->posed,
+                                        .work = &p->few_work[thread],
+                                        .factor = 1};
   if (!um_optics_interreflection(&paths, &p->photons, surface, seen)) return;
   um_optics_coarse_expand(p->few, p->spectra, paths.work->reflected, work->row);
   for (size_t b = 0; b < n; b++) dark[b] += (float)(work->row[b] / seen);
@@ -131,8 +135,12 @@ static enum um_status between_create(struct um_context *context, const struct um
   UM_TRY(um_optics_work_create(context, p->few, UM_OPTICS_PATHS, p->nthread, &p->few_work));
   UM_TRY(um_optics_photons_reserve(context, p->few, p->frame->posed, 1, 0, &p->photons));
   works_set(p, p->few, p->few_work);
-  const struct um_optics_paths paths = {
-      p->few, p->scene, &p->frame->now, p->frame->posed, &p->few_work[0], 1, NULL};
+  const struct um_optics_paths paths = {.spectra = p->few,
+                                        .scene = p->scene,
+                                        .instant = &p->frame->now,
+                                        .posed = p->frame->posed,
+                                        .work = &p->few_work[0],
+                                        .factor = 1};
   um_optics_photons_trace(&paths, p->scene->view != NULL ? p->scene->view->seed : 0, &p->photons);
   return UM_OK;
 }

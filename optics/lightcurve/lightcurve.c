@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <string.h>
 
+#include "optics/lightcurve/warmth.h"
 #include "optics/paths/between_group.h"
 #include "optics/paths/photon_maps_group.h"
 #include "optics/radiance/coarse_group.h"
@@ -24,6 +25,8 @@ struct job {
   struct um_optics_coplanar *coplanar;         /* [nthread] */
   struct um_optics_between *between;           /* [nthread] */
   const struct um_optics_photon_maps *photons; /* NULL: none that serve */
+  const struct um_optics_warmth *warmth;       /* NULL: not asked */
+  struct um_optics_glow *glow, *coarse_glow;   /* [nthread] where it is asked */
 };
 
 /* One time of it, on one thread. */
@@ -33,6 +36,7 @@ struct task {
   const struct um_optics_spectra *spectra, *coarse;
   struct um_optics_work *work, *coarse_work;
   struct um_optics_between *between;
+  struct um_optics_glow *glow, *coarse_glow; /* NULL: not asked */
 };
 
 static enum um_status curve_create(struct um_context *context,
@@ -117,6 +121,7 @@ static void between_add(const struct um_context *context, const struct task *tas
                                         .posed = posed,
                                         .work = task->coarse_work,
                                         .photons = task->job->photons,
+                                        .glow = task->coarse_glow,
                                         .factor =
                                             task->job->scene->view->path_factor[task->now.time]};
   um_optics_between_compute(context, &paths, task->between);
@@ -151,6 +156,45 @@ static const struct um_optics_spectra *spectra_at(const struct um_context *conte
   return spectra;
 }
 
+/* What surfaces of a group emit grows with their temperatures. */
+static void glow_add(const struct task *task, size_t skin,
+                     const struct um_optics_coplanar *coplanar, size_t first, size_t end)
+{
+  double cos_o = coplanar->sight[first].cos_observer;
+  if (task->glow == NULL || task->now.sunlight_only || !(cos_o > 0.0)) return;
+  const double *emissivity =
+      um_optics_spectra_emissivity(task->spectra, skin, cos_o, task->work->emissivity);
+  for (size_t i = first; i < end; i++) {
+    double area = coplanar->sight[i].area_seen * cos_o;
+    if (area > 0.0)
+      um_optics_glow_add(task->glow, task->spectra, coplanar->surface[i],
+                         coplanar->sight[i].temperature, area, emissivity);
+  }
+}
+
+/* Of every change of the temperatures what both glows make of it, into its spectrum. */
+static void warmth_add(const struct task *task)
+{
+  const struct um_optics_warmth *warmth = task->job->warmth;
+  const struct um_optics_glow *glow = task->glow, *coarse = task->coarse_glow;
+  size_t nsurface = glow->nsurface, nbin = glow->nbin, time = task->now.time,
+         ntime = task->job->scene->view->ntime;
+  for (size_t k = 0; k < warmth->n; k++) {
+    const float *warming = warmth->warming[k] + time * nsurface;
+    double *out = warmth->spectral + (k * ntime + time) * nbin, *few = coarse->share;
+    memset(out, 0, nbin * sizeof *out);
+    memset(few, 0, coarse->nbin * sizeof *few);
+    for (size_t s = 0; s < nsurface; s++) {
+      double t = (double)warming[s];
+      const double *direct = glow->slope + s * nbin, *by = coarse->slope + s * coarse->nbin;
+      for (size_t b = 0; b < nbin && glow->has[s]; b++) out[b] += t * direct[b];
+      for (size_t b = 0; b < coarse->nbin && coarse->has[s]; b++) few[b] += t * by[b];
+    }
+    um_optics_coarse_expand(task->coarse, task->spectra, few, task->work->row);
+    for (size_t b = 0; b < nbin; b++) out[b] += task->work->row[b];
+  }
+}
+
 static void surfaces_add(const struct um_context *context, const struct task *task,
                          const struct um_optics_posed_scene *posed,
                          struct um_optics_coplanar *coplanar)
@@ -165,6 +209,7 @@ static void surfaces_add(const struct um_context *context, const struct task *ta
     um_optics_earth_shares(task->spectra, &task->now, skin, &coplanar->sight[first], &shares);
     um_optics_sum_add(task->spectra, &task->now, skin, &coplanar->sight[first], end - first,
                       &shares, task->work, &task->work->sum[skin]);
+    glow_add(task, skin, coplanar, first, end);
     for (size_t i = first; i < end; i++) error_add(task, coplanar, i, &shares);
   }
   if (posed != NULL) between_add(context, task, posed);
@@ -194,6 +239,12 @@ static void compute_time(const struct um_context *context, const struct job *job
                       .work = &job->full.work[thread],
                       .coarse_work = &job->coarse.work[thread],
                       .between = &job->between[thread]};
+  if (job->warmth != NULL) {
+    task.glow = &job->glow[thread];
+    task.coarse_glow = &job->coarse_glow[thread];
+    um_optics_glow_reset(task.glow);
+    um_optics_glow_reset(task.coarse_glow);
+  }
   task.spectra = spectra_at(context, job, &job->full, &task.now, thread);
   task.coarse = spectra_at(context, job, &job->coarse, &task.now, thread);
   const struct um_optics_spectra *spectra = task.spectra;
@@ -207,6 +258,7 @@ static void compute_time(const struct um_context *context, const struct job *job
     um_optics_light(task.coarse, job->scene, &task.now, task.coarse_work);
     lamp_add(context, &task, NULL, &job->coplanar[thread]);
   }
+  if (job->warmth != NULL) warmth_add(&task);
   for (size_t k = 0; k < spectra->nband; k++) {
     double *variance = &job->curve->stderr_[time * spectra->nband + k];
     *variance = sqrt(*variance);
@@ -275,6 +327,15 @@ static enum um_status job_create(struct um_context *context, const struct um_opt
   UM_TRY(um_optics_between_create(context, job->coarse.spectra, nthread, &job->between));
   for (size_t k = 0; k < nthread; k++)
     UM_TRY(um_optics_coplanar_create(context, scene->view->nsurface, &job->coplanar[k]));
+  if (job->warmth != NULL) {
+    UM_TRY(um_core_allocate(context, nthread, sizeof *job->glow, &job->glow));
+    UM_TRY(um_core_allocate(context, nthread, sizeof *job->coarse_glow, &job->coarse_glow));
+  }
+  for (size_t k = 0; k < nthread && job->warmth != NULL; k++) {
+    size_t nsurface = scene->view->nsurface;
+    UM_TRY(um_optics_glow_create(context, nsurface, job->full.spectra, &job->glow[k]));
+    UM_TRY(um_optics_glow_create(context, nsurface, job->coarse.spectra, &job->coarse_glow[k]));
+  }
   UM_TRY(um_core_allocate(context, 1, sizeof *job->curve, &job->curve));
   return curve_create(context, job->full.spectra, ntime, job->curve);
 }
@@ -282,6 +343,11 @@ static enum um_status job_create(struct um_context *context, const struct um_opt
 static void job_clear(struct um_context *context, struct job *job)
 {
   size_t nthread = (size_t)um_core_context_threads(context);
+  for (size_t k = 0; k < nthread; k++) {
+    if (job->glow != NULL) um_optics_glow_clear(context, &job->glow[k]);
+    if (job->coarse_glow != NULL) um_optics_glow_clear(context, &job->coarse_glow[k]);
+  }
+  UM_FREE(context, job->glow, job->coarse_glow);
   resolution_clear(context, &job->full);
   resolution_clear(context, &job->coarse);
   for (size_t k = 0; job->coplanar != NULL && k < nthread; k++)
@@ -296,9 +362,18 @@ enum um_status um_optics_lightcurve_compute(struct um_context *context,
                                             const struct um_optics_band *bands, size_t nband,
                                             struct um_optics_lightcurve **out)
 {
+  return um_optics_lightcurve_warmth(context, scene, bands, nband, NULL, out);
+}
+
+enum um_status um_optics_lightcurve_warmth(struct um_context *context,
+                                           const struct um_optics_scene *scene,
+                                           const struct um_optics_band *bands, size_t nband,
+                                           const struct um_optics_warmth *warmth,
+                                           struct um_optics_lightcurve **out)
+{
   enum um_status status;
   struct um_optics_posed_scenes *scenes = NULL;
-  struct job job = {.scene = scene};
+  struct job job = {.scene = scene, .warmth = warmth};
   size_t ntime = scene->view->ntime, nsurface = um_geometry_mesh(scene->geometry)->nsurface;
   *out = NULL;
   if (scene->view->nsurface != nsurface)

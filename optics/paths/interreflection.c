@@ -84,6 +84,19 @@ static const double *black_body(const struct um_optics_bundle *p, int i)
   return p->paths.work->planck;
 }
 
+/* What a path's place sends to the observer by its own temperature: the share [nbin] of its black
+ * body, NULL: all of it. */
+static void keep_glow(const struct um_optics_bundle *p, int i, double sign, const double *share)
+{
+  struct um_optics_glow *glow = p->paths.glow;
+  const double *left = um_optics_bundle_throughput(p, i);
+  if (glow == NULL) return;
+  for (size_t b = 0; b < glow->nbin; b++)
+    glow->share[b] = left[b] * (share != NULL ? share[b] : 1.0);
+  um_optics_glow_add(glow, p->paths.spectra, p->vertex[i].surface,
+                     p->paths.scene->temperature[p->vertex[i].at], sign * p->worth, glow->share);
+}
+
 static bool telescopes(const struct um_optics_bundle *p, int i)
 {
   return !p->paths.instant->sunlight_only &&
@@ -95,6 +108,8 @@ static void add_closed(const struct um_optics_bundle *p, int i, const double *em
                        const double *planck)
 {
   double *sum = um_optics_bundle_gathered(p, i), *left = um_optics_bundle_throughput(p, i);
+  keep_glow(p, i, 1.0, NULL);
+  keep_glow(p, i, -1.0, emissivity);
   for (size_t b = 0; b < p->paths.spectra->nbin; b++)
     sum[b] += left[b] * (1.0 - emissivity[b]) * planck[b];
 }
@@ -119,6 +134,7 @@ static double reflect(struct um_optics_bundle *p, int i)
   if (!telescopes(p, i) || largest < LEAST) return largest; /* it ends: L = B */
   double *sum = um_optics_bundle_gathered(p, i);
   const double *planck = black_body(p, i);
+  keep_glow(p, i, -1.0, NULL);
   for (size_t b = 0; b < n; b++) sum[b] -= left[b] * planck[b];
   return largest;
 }
@@ -146,6 +162,10 @@ static void arrive(struct um_optics_bundle *p, int i)
   if (p->paths.instant->sunlight_only) return;
   um_optics_vertex_glow(&p->paths, &p->vertex[i], work->incoming);
   for (size_t b = 0; b < p->paths.spectra->nbin; b++) sum[b] += left[b] * work->incoming[b];
+  if (p->paths.glow != NULL)
+    keep_glow(p, i, 1.0,
+              um_optics_spectra_emissivity(p->paths.spectra, p->vertex[i].skin, p->vertex[i].o.z,
+                                           work->emissivity));
   if (telescopes(p, i))
     add_closed(p, i,
                um_optics_spectra_emissivity(p->paths.spectra, p->vertex[i].skin, p->vertex[i].o.z,

@@ -3,6 +3,7 @@
 #define UMBRA_OPTICS_PATHS_IMPL_H
 
 #include "materials/lobe.h"
+#include "optics/radiance/glow_group.h"
 #include "optics/radiance/posed_scene_group.h"
 #include "optics/radiance/radiance_group.h"
 
@@ -27,6 +28,8 @@ struct um_optics_paths {
   struct um_optics_work *work;
   int factor;                                  /* times the paths of the exchange */
   const struct um_optics_photon_maps *photons; /* that serve; NULL: they are traced */
+  struct um_optics_glow
+      *glow; /* how emission that arrives grows with temperatures; NULL: not asked */
 };
 
 /* Is a lobe so narrow that chance does not find what it shows? */

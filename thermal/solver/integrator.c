@@ -46,8 +46,7 @@ static enum um_status segment_start(struct um_thermal_integrator *integrator)
     UM_TRY(um_thermal_integrator_set_up(integrator));
   } else {
     SUN_CHECK(CVodeReInit(integrator->cvodes, integrator->t, integrator->y));
-    if (um_thermal_integrator_audits(system))
-      SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
+    SUN_CHECK(CVodeQuadReInit(integrator->cvodes, integrator->quadrature));
   }
   if (um_thermal_integrator_has_switches(system)) UM_TRY(thermostats_turn(integrator));
   double longest;
@@ -73,6 +72,7 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   for (size_t k = 0; k < system->nunknown; k++)
     y[k] = um_thermal_system_unknown_of(system, system->node[k], temperature[system->node[k]]);
   N_VConst(0.0, integrator->quadrature);
+  integrator->content_before = um_thermal_system_content(system, y);
   integrator->t = 0.0;
   integrator->segment = 0;
   integrator->cube = integrals != NULL ? integrals->cube : NULL;
@@ -164,8 +164,7 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
   }
   if (integrator->t < end && !integrator->switched) return UM_OK;
   realtype at;
-  if (um_thermal_integrator_audits(integrator->system))
-    SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
+  SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
   return UM_OK;
 }
 
@@ -242,14 +241,6 @@ void um_thermal_integrator_heating(const struct um_thermal_integrator *integrato
 {
   const struct um_thermal_system *system = integrator->system;
   for (size_t k = 0; k < system->nthermostat; k++) on[k] = system->thermostat[k].on;
-}
-
-enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,
-                                           double *content)
-{
-  memcpy(terms, N_VGetArrayPointer(integrator->quadrature), UM_AUDIT_TERMS * sizeof *terms);
-  *content = um_thermal_system_content(integrator->system, N_VGetArrayPointer(integrator->y));
-  return UM_OK;
 }
 
 void um_thermal_integrator_counts(const struct um_thermal_integrator *integrator, size_t *steps,

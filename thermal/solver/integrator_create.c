@@ -62,11 +62,6 @@ bool um_thermal_integrator_has_switches(const struct um_thermal_system *system)
   return system->kind == UM_SYSTEM_RUN && system->nthermostat > 0;
 }
 
-bool um_thermal_integrator_audits(const struct um_thermal_system *system)
-{
-  return system->kind != UM_SYSTEM_PERIODIC;
-}
-
 /* Settings that need an initialised CVODES. */
 enum um_status um_thermal_integrator_set_up(struct um_thermal_integrator *integrator)
 {
@@ -78,8 +73,7 @@ enum um_status um_thermal_integrator_set_up(struct um_thermal_integrator *integr
   SUN_CHECK(CVodeSetLinearSolver(cvodes, integrator->solver, integrator->matrix));
   SUN_CHECK(CVodeSetLinSysFn(cvodes, um_thermal_integrator_newton));
   SUN_CHECK(CVodeSetMaxErrTestFails(cvodes, 20));
-  if (um_thermal_integrator_audits(integrator->system))
-    SUN_CHECK(CVodeQuadInit(cvodes, um_thermal_integrator_audit_rate, integrator->quadrature));
+  SUN_CHECK(CVodeQuadInit(cvodes, um_thermal_integrator_audit_rate, integrator->quadrature));
   if (um_thermal_integrator_has_switches(integrator->system)) {
     SUN_CHECK(CVodeRootInit(cvodes, (int)integrator->system->nthermostat,
                             um_thermal_integrator_switches));

@@ -13,6 +13,7 @@ struct um_thermal_integrator {
   struct um_thermal_system *system; /* borrowed */
   SUNContext sun;
   N_Vector y, dense, quadrature;
+  double content_before; /* heat content at the start [J] */
   SUNMatrix matrix;
   struct um_thermal_linear *linear;
   SUNLinearSolver solver;
@@ -67,8 +68,6 @@ enum um_status um_thermal_integrator_longest_step(struct um_thermal_system *syst
 
 /* Does a thermostat switch on the way? */
 bool um_thermal_integrator_has_switches(const struct um_thermal_system *system);
-/* Are the integrals of the heat terms wanted? A search for a periodic state asks for none. */
-bool um_thermal_integrator_audits(const struct um_thermal_system *system);
 /* Tolerances as they are now. */
 enum um_status um_thermal_integrator_tolerances(struct um_thermal_integrator *integrator);
 /* Settings that need an initialised CVODES, and its initialisation at y. */

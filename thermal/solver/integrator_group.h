@@ -3,6 +3,7 @@
 #ifndef UMBRA_THERMAL_INTEGRATOR_GROUP_H
 #define UMBRA_THERMAL_INTEGRATOR_GROUP_H
 
+#include "thermal/solver/solve.h"
 #include "thermal/solver/system_group.h"
 
 struct um_thermal_integrator;
@@ -57,10 +58,8 @@ enum um_status um_thermal_integrator_advance(struct um_thermal_integrator *integ
 double um_thermal_integrator_stop(const struct um_thermal_integrator *integrator);
 /* Which thermostats were on up to the time of the last run [nthermostat]. */
 void um_thermal_integrator_heating(const struct um_thermal_integrator *integrator, bool *on);
-/* Integrals so far [UM_AUDIT_TERMS] [J] and heat content now [J]; valid after a run to `duration`.
- */
-enum um_status um_thermal_integrator_audit(struct um_thermal_integrator *integrator, double *terms,
-                                           double *content);
+/* From the start to now; valid after a run to `duration`. */
+struct um_thermal_audit um_thermal_integrator_audit(const struct um_thermal_integrator *integrator);
 void um_thermal_integrator_counts(const struct um_thermal_integrator *integrator, size_t *steps,
                                   size_t *rhs_evaluations, size_t *jacobians);
 

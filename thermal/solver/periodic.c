@@ -66,6 +66,7 @@ struct periodic {
   void *kinsol;
   double *start, *end;               /* [n] [K] */
   struct um_thermal_integrals means; /* [n] over the orbit [K^3], [K^4] */
+  struct um_thermal_audit audit;     /* of the last orbit */
   double *jacobian;                  /* [nnonzero] of the orbit mean [1/s] */
   double *matrix;                    /* [nnonzero] X + shift */
   double distance;                   /* of the last orbit's end [K] */
@@ -217,6 +218,7 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
   /* eliminated nodes as they are at the start */
   memcpy(periodic->start, system->temperature, system->n * sizeof *periodic->start);
   UM_TRY(um_thermal_integrator_run(periodic->integrator, periodic->period, periodic->end));
+  periodic->audit = um_thermal_integrator_audit(periodic->integrator);
   periodic->orbits++;
   for (size_t i = 0; i < system->n; i++) {
     periodic->means.cube[i] /= periodic->period;
@@ -307,7 +309,8 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
 
 static struct um_thermal_periodic report_make(const struct periodic *periodic)
 {
-  struct um_thermal_periodic report = {0.0, 0, periodic->distance, periodic->orbits};
+  struct um_thermal_periodic report = {
+      .distance = periodic->distance, .orbits = periodic->orbits, .audit = periodic->audit};
   for (size_t i = 0; i < periodic->system->n; i++) {
     double drift = fabs(periodic->end[i] - periodic->start[i]);
     if (drift > report.drift) {

@@ -66,28 +66,6 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
   *history = NULL;
 }
 
-/* begin, end: heat content [J]. */
-static void audit_fill(struct um_thermal_history *history, const double *terms, double begin,
-                       double end)
-{
-  history->audit = (struct um_thermal_heat){.solar = terms[UM_AUDIT_SOLAR],
-                                            .albedo = terms[UM_AUDIT_ALBEDO],
-                                            .planet = terms[UM_AUDIT_PLANET],
-                                            .internal = terms[UM_AUDIT_INTERNAL],
-                                            .conducted = terms[UM_AUDIT_CONDUCTED],
-                                            .radiated = terms[UM_AUDIT_RADIATED],
-                                            .exchanged = terms[UM_AUDIT_EXCHANGED],
-                                            .stored = end - begin};
-  double net = 0.0, gross = 0.0;
-  for (int k = 0; k < UM_AUDIT_TERMS; k++) {
-    net += terms[k];
-    gross += fabs(terms[k]);
-  }
-  /* a closed satellite has nothing to compare with but its content */
-  gross = fmax(gross, 1e-6 * fmax(fabs(begin), fabs(end)));
-  history->audit_error = gross > 0.0 ? fabs(net - history->audit.stored) / gross : 0.0;
-}
-
 static enum um_status history_run(struct um_context *context,
                                   struct um_thermal_integrator *integrator, double from,
                                   const double *times, struct um_thermal_history *history)
@@ -95,8 +73,6 @@ static enum um_status history_run(struct um_context *context,
   enum um_status status;
   size_t last = history->ntime - 1;
   size_t nthermostat = history->nthermostat;
-  double terms[UM_AUDIT_TERMS], begin, end;
-  UM_TRY(um_thermal_integrator_audit(integrator, terms, &begin));
   bool *heating = history->heating;
   um_core_progress_begin(context, "heat", history->ntime);
   for (size_t k = 0; k <= last; k++) {
@@ -106,8 +82,8 @@ static enum um_status history_run(struct um_context *context,
     if (heating != NULL) um_thermal_integrator_heating(integrator, heating + k * nthermostat);
     UM_CHECK(um_core_progress_step(context, 1));
   }
-  UM_CHECK(um_thermal_integrator_audit(integrator, terms, &end));
-  audit_fill(history, terms, begin, end);
+  const struct um_thermal_audit audit = um_thermal_integrator_audit(integrator);
+  um_thermal_history_audit_join(history, &audit);
   um_thermal_integrator_counts(integrator, &history->steps, &history->rhs_evaluations,
                                &history->jacobians);
 done:

@@ -14,6 +14,11 @@ void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 struct um_thermal_heat {
   double solar, albedo, planet, internal, conducted, radiated, exchanged, stored;
 };
+/* Heat over a stretch of time, of the whole satellite. */
+struct um_thermal_audit {
+  struct um_thermal_heat heat; /* integrals [J] */
+  double content;              /* largest heat content at an end of the stretch [J] */
+};
 struct um_thermal_history {
   size_t ntime, nnode;
   double *t;           /* [ntime] */
@@ -22,11 +27,16 @@ struct um_thermal_history {
   bool *heating;                /* [ntime][nthermostat] which are on; NULL without thermostats */
   struct um_thermal_heat audit; /* integrals over the run [J], whole satellite */
   double audit_error;           /* |in - out - stored| / (in + out) [1] */
+  double content;               /* largest heat content at an end of the run [J] */
   size_t steps, rhs_evaluations, jacobians;
 };
 
 /* Start temperatures, here and below: start[nnode] [K], of boundary nodes what they are held at;
  * NULL: those the network was built with. A network is never written to. */
+
+/* The audit of a run that goes on where a stretch ended: of both. */
+void um_thermal_history_audit_join(struct um_thermal_history *history,
+                                   const struct um_thermal_audit *before);
 
 /* Integrate from `from` and report at times[ntime] in
  * [from, last load time], ascending. loads may be NULL (none). Two grid times may be equal: a jump.
@@ -60,6 +70,7 @@ struct um_thermal_periodic {
   size_t drift_node; /* that node */
   double distance;   /* estimated largest distance of a node from the periodic state [K] */
   size_t orbits;     /* integrated */
+  struct um_thermal_audit audit; /* of that last orbit */
 };
 /* The same with the signed change of every node over that orbit [nnode] [K], its mean temperature,
  * of the fourth power [nnode] [K], and a report; each may be NULL. */

@@ -14,7 +14,7 @@
 
 #include "thermal/tangent/sensitivity_impl.h"
 
-#define TOLERANCE  1e-4
+#define TOLERANCE  5e-5
 #define FIRST_STEP 1.0 /* [s] */
 
 static enum um_status times_check(struct um_context *context, double from, const double *times,
@@ -154,14 +154,13 @@ static void start_take(struct um_thermal_sensitivity_run *r, const double *start
   for (size_t c = 0; c < r->ncolumn; c++) {
     const double *first = system->first, *moved = column_system(r, c)->first;
     const double *given = start != NULL ? start + answer_row(r, c) * system->n : NULL;
-    r->largest[c] = 0.0;
     for (size_t k = 0; k < r->n; k++) {
       size_t i = system->node[k];
       double s = given != NULL ? given[i] : (moved[i] - first[i]) / r->width[c];
       s = unknown_answer(r, c, i, s);
       r->s[c * r->n + k] = s;
-      r->largest[c] = fmax(r->largest[c], fabs(s));
     }
+    r->largest[c] = um_thermal_sensitivity_size(r, r->s, c);
   }
 }
 

@@ -45,7 +45,8 @@ struct um_thermal_forcings {
 };
 
 struct um_thermal_sensitivity_options {
-  double tolerance;    /* error of a step over the largest answer so far [1]; 0: 1e-4 */
+  double tolerance;    /* error of a step over the largest answer so far, both root mean squares
+                          over the nodes [1]; 0: 5e-5 */
   const double *start; /* [nforcing][nnode] S at the start; NULL: of the start temperatures */
 };
 
@@ -76,7 +77,7 @@ enum um_status um_thermal_sensitivity(struct um_context *context,
 
 /* Sensitivities [nvariant][nnode] of the periodic state start[nnode] (um_thermal_solve_periodic):
  * S(from + period) = S(from),
- * thermostats by their mean power. To how->tolerance (0: 1e-4) of the largest answer of each
+ * thermostats by their mean power. To how->tolerance (0: 2e-5) of the largest answer of each
  * parameter; how->start is a guess. UM_ERR_NUMERIC when that is not found in 20 orbits. */
 enum um_status um_thermal_sensitivity_periodic(
     struct um_context *context, const struct um_thermal_network *network,

@@ -74,7 +74,7 @@ struct um_thermal_sensitivity_run {
   double *y, *rate, *moved;                    /* [n] */
   double *s, *next, *known, *error;            /* [ncolumn][n] */
   double *stage[4];                            /* [ncolumn][n] dS/dt */
-  double *largest;                             /* [ncolumn] |S| so far */
+  double *largest; /* [ncolumn] root mean square of S so far, the largest */
   double tolerance;
   double t, h;                    /* [s] where s is; the step to try */
   bool continued;                 /* stage[3] is the rate where the next step begins */
@@ -136,6 +136,9 @@ enum um_status um_thermal_sensitivity_edge(struct um_thermal_sensitivity_run *r)
 /* One step, not beyond `end` [s]; s before it is then in `next`, its rates before and after are in
  * stage[0] and stage[3]. */
 enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r, double end);
+/* Root mean square over the unknowns of a column of x[ncolumn][n]. */
+double um_thermal_sensitivity_size(const struct um_thermal_sensitivity_run *r, const double *x,
+                                   size_t column);
 /* x[nactive][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last; `share` of
  * each right side may be left. UM_ERR_NUMERIC with or without a message. */
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,

@@ -1,0 +1,22 @@
+/* Light curves of surfaces that grow warmer: what they send is linear in what black bodies send, so
+ * that one pass over points and paths serves any number of changes of the temperatures. */
+#ifndef UMBRA_OPTICS_WARMTH_H
+#define UMBRA_OPTICS_WARMTH_H
+
+#include "optics/radiance/optics.h"
+
+/* Changes of the temperatures, and of the light with them. */
+struct um_optics_warmth {
+  size_t n;
+  const float *const *warming; /* [n] each [ntime][nsurface] dT/dp [K per unit of p] */
+  double *spectral; /* [n][ntime][nbin] out, d(spectral)/dp at the bins of the light curve, emitted
+                       straight and by way of other surfaces [W/sr/m per unit of p] */
+};
+/* The light curve of the scene, as um_optics_lightcurve_compute, and these beside it. */
+enum um_status um_optics_lightcurve_warmth(struct um_context *context,
+                                           const struct um_optics_scene *scene,
+                                           const struct um_optics_band *bands, size_t nband,
+                                           const struct um_optics_warmth *warmth,
+                                           struct um_optics_lightcurve **out);
+
+#endif

@@ -1,0 +1,169 @@
+/* What heat's tangent costs on ENVISAT's pass, all parameters of one run together, over a run of
+ * the scenario, in processor time of one thread; and how far it is from central differences of
+ * integrations of their own. Some five minutes. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "effects/effects.h"
+#include "model/build/build.h"
+#include "model/run/run.h"
+#include "model/run/thermal_solution_group.h"
+#include "tests/bench/bench.h"
+#include "variant/evaluator.h"
+
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
+#define SMALL    1e-3 /* of a step, for the tangent */
+
+/* Steps of central differences, from the effect's null value. */
+struct parameter {
+  const char *effect, *target;
+  double step;
+  bool compared;
+};
+static const struct parameter parameters[] = {
+    {"emittance", "cell_silicon", 0.02, true},
+    {"internal_power", "bus", 20.0, true},
+    {"solar_absorptance", "mli_kapton", 0.05, true},
+    {"heat_capacity", "solar_array", 0.05, true},
+    {"mli_emittance", "bus", 0.1, true},
+    {"emittance", "mli_kapton", 0.02, true},
+    {"emittance", "aluminium_anodised", 0.02, false},
+    {"emittance", "cfrp", 0.02, false},
+    {"solar_absorptance", "cell_silicon", 0.05, false},
+    {"solar_absorptance", "aluminium_anodised", 0.05, false},
+    {"solar_absorptance", "cfrp", 0.05, false},
+    {"heat_capacity", "bus", 0.05, false},
+    {"heat_capacity", "asar", 0.05, false},
+    {"interior_capacity", "bus", 0.05, false},
+    {"through_conductance", "solar_array", 0.05, false},
+};
+#define PARAMETERS (sizeof parameters / sizeof *parameters)
+static const size_t counts[] = {4, PARAMETERS};
+
+static double own_run(const struct bench *bench, const struct um_model *model)
+{
+  struct um_model_tables *tables = NULL;
+  struct um_model_result *result = NULL;
+  double begin = bench_cpu();
+  bench_must(bench, um_model_precompute(bench->context, model, &tables));
+  bench_must(bench, um_model_run(bench->context, model, tables, &result));
+  double seconds = bench_cpu() - begin;
+  um_model_result_destroy(bench->context, &result);
+  um_model_tables_destroy(bench->context, &tables);
+  return seconds;
+}
+
+static void open_moved(const struct bench *bench, struct um_variant_evaluator *evaluator,
+                       const struct parameter *p, double share, const struct um_variant_heat *how,
+                       struct um_variant *out)
+{
+  struct um_model_addition addition = {.effect = um_effects_find(p->effect), .target = p->target};
+  const struct um_model_changes changes = {.addition = &addition, .naddition = 1};
+  for (size_t k = 0; k < addition.effect->nparameter; k++)
+    addition.value[k] = addition.effect->parameters[k].null_value;
+  addition.value[0] += share * p->step;
+  bench_must(bench, um_variant_open(bench->context, evaluator, &changes, how, out));
+}
+
+static struct um_model_thermal_sensitivity *
+tangent(const struct bench *bench, struct um_variant_evaluator *evaluator,
+        const struct um_variant *base, size_t n, double *seconds)
+{
+  struct um_variant variant[PARAMETERS];
+  struct um_model_thermal_move move[PARAMETERS];
+  struct um_model_thermal_sensitivity *found = NULL;
+  double begin = bench_cpu();
+  for (size_t k = 0; k < n; k++) {
+    open_moved(bench, evaluator, &parameters[k], SMALL, NULL, &variant[k]);
+    move[k] = (struct um_model_thermal_move){variant[k].model, variant[k].tables,
+                                             SMALL * parameters[k].step};
+  }
+  bench_must(bench, um_model_thermal_sensitivity_create(bench->context, base->heat, move, n, &found));
+  *seconds = bench_cpu() - begin;
+  for (size_t k = 0; k < n; k++) um_variant_close(bench->context, &variant[k]);
+  return found;
+}
+
+/* Largest distance from a central difference, over its largest value; of all instants and nodes. */
+static double error_of(const struct bench *bench, struct um_variant_evaluator *evaluator,
+                       const struct um_variant *base,
+                       const struct um_model_thermal_sensitivity *found, size_t which,
+                       double *seconds)
+{
+  const struct parameter *p = &parameters[which];
+  const struct um_variant_heat how = {.start = UM_VARIANT_WARM, .tolerance = {1.0, 1e-4}};
+  struct um_model_thermal_solution *moved = NULL;
+  struct um_variant side[2];
+  double begin = bench_cpu(), largest = 0.0, worst = 0.0;
+  for (int s = 0; s < 2; s++)
+    open_moved(bench, evaluator, p, s == 0 ? 0.5 : -0.5, &how, &side[s]);
+  *seconds = 0.5 * (bench_cpu() - begin);
+  bench_must(bench, um_model_thermal_solution_move(bench->context, base->heat, found, which,
+                                                   p->step, side[0].model, side[0].tables, &moved));
+  const struct um_thermal_history *a = side[0].heat->run.history, *b = side[1].heat->run.history,
+                                  *t = moved->run.history, *from = base->heat->run.history;
+  size_t at = 0, row = 0;
+  for (size_t i = 0; i < t->ntime * t->nnode; i++) {
+    double difference = a->temperature[i] - b->temperature[i];
+    double answer = t->temperature[i] - from->temperature[i];
+    largest = fmax(largest, fabs(difference));
+    if (fabs(answer - difference) > worst) {
+      worst = fabs(answer - difference);
+      at = i % t->nnode;
+      row = i / t->nnode;
+    }
+  }
+  if (getenv("GRADIENT_SHOW") != NULL)
+    printf("%s: largest %g K, off %g K at node %zu row %zu\n", p->effect, largest, worst, at, row);
+  um_model_thermal_solution_destroy(bench->context, &moved);
+  for (int s = 0; s < 2; s++) um_variant_close(bench->context, &side[s]);
+  return worst / largest;
+}
+
+int main(int argc, char **argv)
+{
+  struct bench bench;
+  static const char *const accuracy[] = {"thermal.accuracy_K=0.001"};
+  const struct um_model_options tight = {.overrides = accuracy, .noverride = 1};
+  const struct um_variant_settings settings = {.base = {6.0, 0.02}},
+                                   exact = {.base = {1.0, 1e-4}};
+  struct um_model *model = NULL, *tight_model = NULL;
+  struct um_variant_evaluator *evaluator = NULL, *tight_evaluator = NULL;
+  struct um_variant base, tight_base;
+  struct bench_series run = {{0}, 0};
+  char name[80];
+  double seconds;
+  bench_begin(&bench, argc, argv, "heat's tangent on ENVISAT's pass over a run");
+  bench_must(&bench, um_model_create(bench.context, SCENARIO, NULL, &model));
+  bench_add(&run, own_run(&bench, model));
+  bench_must(&bench, um_variant_evaluator_create(bench.context, model, &settings, &evaluator));
+  bench_must(&bench, um_variant_base(bench.context, evaluator, &base));
+  struct um_model_thermal_sensitivity *found = NULL;
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+    struct bench_series cost = {{0}, 0};
+    um_model_thermal_sensitivity_destroy(bench.context, &found);
+    found = tangent(&bench, evaluator, &base, counts[i], &seconds);
+    bench_add(&cost, seconds);
+    snprintf(name, sizeof name, "tangent of %zu parameters", counts[i]);
+    bench_time(&bench, name, "s", &cost, &run, NAN);
+  }
+  if (getenv("GRADIENT_FAST") != NULL) return bench_end(&bench);
+  bench_must(&bench, um_model_create(bench.context, SCENARIO, &tight, &tight_model));
+  bench_must(&bench,
+             um_variant_evaluator_create(bench.context, tight_model, &exact, &tight_evaluator));
+  bench_must(&bench, um_variant_base(bench.context, tight_evaluator, &tight_base));
+  for (size_t k = 0; k < PARAMETERS; k++) {
+    if (!parameters[k].compared) continue;
+    double error = error_of(&bench, tight_evaluator, &tight_base, found, k, &seconds);
+    snprintf(name, sizeof name, "error of %s:%s", parameters[k].effect, parameters[k].target);
+    bench_number(&bench, name, "1", error, 1e-3, 1.0);
+  }
+  um_model_thermal_sensitivity_destroy(bench.context, &found);
+  um_variant_evaluator_destroy(bench.context, &tight_evaluator);
+  um_model_destroy(bench.context, &tight_model);
+  um_variant_evaluator_destroy(bench.context, &evaluator);
+  um_model_destroy(bench.context, &model);
+  return bench_end(&bench);
+}
