@@ -248,6 +248,7 @@ enum um_status um_variant_heat_again(struct um_context *context, struct um_varia
   UM_TRY(status);
   v->heat = v->own_heat;
   v->fresh_heat = true;
+  v->moved = how->start == UM_VARIANT_EXTRAPOLATED ? *how : (struct um_variant_heat){0};
   v->seconds_heat = omp_get_wtime() - begin;
   return UM_OK;
 }
@@ -357,12 +358,32 @@ done:
   return status;
 }
 
+/* Does light answer to the variant's temperatures alone, and is the answer known? */
+static bool warms_alone(const struct um_variant_evaluator *e, const struct um_variant *v)
+{
+  return v->moved.light != NULL && v->heat == v->own_heat && v->tables == e->tables &&
+         um_model_light_is_compatible(e->model, v->model);
+}
+
+static enum um_status observe_warmed(struct um_context *context, struct um_variant_evaluator *e,
+                                     const struct um_variant *v, struct um_model_result **out)
+{
+  struct um_optics_lightcurve *light = NULL;
+  UM_TRY(um_variant_share(context, e, UM_VARIANT_WARM, true));
+  UM_TRY(um_model_light_move(context, e->light, v->moved.light, v->moved.which, v->moved.step,
+                             &light));
+  enum um_status status = um_model_run_behind(context, v->model, v->tables, v->heat, light, out);
+  um_optics_lightcurve_destroy(context, &light);
+  return status;
+}
+
 enum um_status um_variant_observe(struct um_context *context,
                                   struct um_variant_evaluator *evaluator,
                                   const struct um_variant *v, struct um_model_result **out)
 {
   struct um_variant_evaluator *e = evaluator;
   *out = NULL;
+  if (warms_alone(e, v)) return observe_warmed(context, e, v, out);
   if (!v->behind || v->heat != e->heat || v->tables != e->tables)
     return um_model_run_observed(context, v->model, v->tables, v->heat, out);
   UM_TRY(um_variant_share(context, e, UM_VARIANT_WARM, true));

@@ -7,7 +7,7 @@
 
 #include "model/build/model.h"
 #include "model/geometry/precompute.h"
-#include "model/products/thermal_sensitivity.h"
+#include "model/products/light_sensitivity.h"
 #include "model/run/result.h"
 #include "model/run/thermal_solution.h"
 #include "variant/tolerance.h"
@@ -31,8 +31,10 @@ enum um_variant_start {
 struct um_variant_heat {
   enum um_variant_start start;
   struct um_variant_tolerance tolerance; /* WARM */
-  /* EXTRAPOLATED: parameter `which` of the sensitivity, moved by `step` [its unit] */
+  /* EXTRAPOLATED: parameter `which` of the sensitivity, moved by `step` [its unit], and with it the
+   * light where nothing but temperatures moves it; light NULL: it is computed */
   const struct um_model_thermal_sensitivity *sensitivity;
+  const struct um_model_light_sensitivity *light;
   size_t which;
   double step;
 };
@@ -44,8 +46,9 @@ struct um_variant {
   const struct um_model_tables *tables;
   const struct um_model_thermal_solution *heat;
   bool fresh_geometry, fresh_heat; /* computed for it: nothing at hand served */
-  bool behind;         /* all that is changed acts on light that has left the satellite */
-  double seconds_heat; /* wall time of fresh heat, 0 without [s] */
+  bool behind;                  /* all that is changed acts on light that has left the satellite */
+  double seconds_heat;          /* wall time of fresh heat, 0 without [s] */
+  struct um_variant_heat moved; /* as it was asked for where heat is extrapolated */
   /* private */
   struct um_variant_kept *kept;
   struct um_model *own_model;

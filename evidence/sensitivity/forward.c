@@ -71,6 +71,7 @@ static struct um_variant_heat heat_of(const struct um_sensitivity_forward *forwa
   if (moved == NULL) return heat;
   heat.start = UM_VARIANT_EXTRAPOLATED;
   heat.sensitivity = moved->sensitivity;
+  heat.light = moved->light;
   heat.which = moved->which;
   heat.step = move->step;
   return heat;
@@ -188,6 +189,8 @@ um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
   const struct um_sensitivity_effort effort = {
       .evaluations = forward->evaluations - before->evaluations,
       .heat_runs = forward->heat_runs - before->heat_runs,
+      .heat_sensitivities = forward->heat_sensitivities - before->heat_sensitivities,
+      .heat_batches = forward->heat_batches - before->heat_batches,
       .seconds = forward->seconds - before->seconds,
       .heat_seconds = forward->heat_seconds - before->heat_seconds};
   *forward = *before;
@@ -199,6 +202,8 @@ void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
 {
   forward->evaluations += effort->evaluations;
   forward->heat_runs += effort->heat_runs;
+  forward->heat_sensitivities += effort->heat_sensitivities;
+  forward->heat_batches += effort->heat_batches;
   forward->seconds += effort->seconds;
   forward->heat_seconds += effort->heat_seconds;
 }

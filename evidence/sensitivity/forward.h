@@ -59,7 +59,7 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
 /* What evaluations took since `before`, a copy of the forward then, whose counts it has again: of a
  * task, which any process may have done; and what is told of it, added. */
 struct um_sensitivity_effort {
-  size_t evaluations, heat_runs;
+  size_t evaluations, heat_runs, heat_sensitivities, heat_batches;
   double seconds, heat_seconds;
 };
 struct um_sensitivity_effort

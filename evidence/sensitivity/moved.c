@@ -9,11 +9,11 @@ void um_sensitivity_moves_destroy(struct um_context *context, struct um_sensitiv
 {
   struct um_sensitivity_moves *m = *moves;
   if (m == NULL) return;
-  for (size_t i = 0; i < m->nbatch; i++)
-    um_model_thermal_sensitivity_destroy(context, &m->batch[i]);
-  um_core_free(context, m->moved);
-  um_core_free(context, m->batch);
-  um_core_free(context, m);
+  for (size_t i = 0; i < m->nrun; i++) {
+    um_model_light_sensitivity_destroy(context, &m->run[i].light);
+    um_model_thermal_sensitivity_destroy(context, &m->run[i].thermal);
+  }
+  UM_FREE(context, m->moved, m->run, m);
   *moves = NULL;
 }
 

@@ -3,7 +3,7 @@
 #ifndef UMBRA_SENSITIVITY_MOVED_IMPL_H
 #define UMBRA_SENSITIVITY_MOVED_IMPL_H
 
-#include "model/products/thermal_sensitivity.h"
+#include "model/products/light_sensitivity.h"
 
 /* An effect beside those of the scenario that leaves every temperature as it is, and one of its
  * parameters moved from there. */
@@ -18,14 +18,21 @@ struct um_sensitivity_move {
 /* A move whose heat is known. */
 struct um_sensitivity_moved {
   struct um_sensitivity_move move;
-  const struct um_model_thermal_sensitivity *sensitivity; /* of the batch; NULL: not by that */
-  size_t which;                                           /* of it */
+  const struct um_model_thermal_sensitivity *sensitivity; /* NULL: not by that */
+  const struct um_model_light_sensitivity
+      *light;   /* where it moves nothing but temperatures; NULL */
+  size_t which; /* of both */
+};
+/* Answers of the moves of one run. */
+struct um_sensitivity_answers {
+  struct um_model_thermal_sensitivity *thermal;
+  struct um_model_light_sensitivity *light;
 };
 struct um_sensitivity_moves {
   struct um_sensitivity_moved *moved; /* [count] */
   size_t count;
-  struct um_model_thermal_sensitivity **batch; /* [nbatch] owned */
-  size_t nbatch;
+  struct um_sensitivity_answers *run; /* [nrun] owned */
+  size_t nrun;
 };
 
 /* Accepts NULL, sets NULL. */

@@ -1,6 +1,6 @@
-/* Heat of first steps, many in one run. What moves the network alone is moved by a thousandth of
- * the step, which keeps curvature out; what moves the loads, which are kept to 24 bits, by the step
- * itself, in which they are linear. */
+/* Heat, and light by it, of first steps, many in one run. What moves the network alone is moved by
+ * a thousandth of the step, which keeps curvature out; what moves the loads, which are kept to 24
+ * bits, by the step itself, in which they are linear. */
 #include "evidence/sensitivity/moves_impl.h"
 
 #include <math.h>
@@ -9,9 +9,8 @@
 
 #include "effects/effects.h"
 
-#define SMALL         1e-3      /* of a step */
-#define BATCH         48        /* moves in one run */
-#define BATCH_NUMBERS (1 << 25) /* answers that one run may keep: 256 MiB */
+#define SMALL 1e-3                /* of a step */
+#define BYTES ((size_t)128 << 20) /* that answers of one run may take */
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
 {
@@ -51,10 +50,9 @@ static enum um_status is_wanted(struct um_context *context,
 
 /* Moves of one run. */
 struct batch {
-  struct um_model_thermal_move move[BATCH];
-  struct um_variant variant[BATCH]; /* of each, open until the run */
-  size_t of[BATCH];                 /* of the moves that are kept */
-  size_t count;
+  struct um_model_thermal_move *move; /* [most] */
+  struct um_variant *variant;         /* [most] of each, open until the run */
+  size_t count, most;
 };
 
 static void batch_clear(struct um_context *context, struct batch *batch)
@@ -63,34 +61,66 @@ static void batch_clear(struct um_context *context, struct batch *batch)
   batch->count = 0;
 }
 
-/* The run of a batch; where it finds no answer, its moves are left to runs of their own. */
+/* As many moves as keep their answers within BYTES. */
+static size_t moves_most(const struct um_sensitivity_forward *f)
+{
+  size_t most = BYTES / (um_thermal_network_nodes(f->model->body->network) *
+                         (1 + f->base.tables->nobs * f->base.tables->nsub) * sizeof(float));
+  return most < 1 ? 1 : most;
+}
+
+/* Does it move nothing but temperatures? */
+static bool warms(const struct um_sensitivity_moved *m)
+{
+  return um_effects_reach(m->move.effect) == UM_REACH_THERMAL;
+}
+
+/* The run of a batch, of the moves from `first` on; where it finds no answer, they are left to runs
+ * of their own. */
 static enum um_status batch_run(struct um_context *context, struct um_sensitivity_forward *forward,
-                                struct batch *batch)
+                                const struct batch *batch, size_t first)
 {
   struct um_sensitivity_moves *moves = forward->cache->moves;
-  struct um_model_thermal_sensitivity *found = NULL;
-  if (batch->count == 0) return UM_OK;
+  struct um_sensitivity_moved *moved = moves->moved + first;
+  struct um_sensitivity_answers *run = &moves->run[moves->nrun];
+  bool light = false;
   double begin = omp_get_wtime();
-  UM_TRY(um_core_reallocate(context, moves->nbatch + 1,
-                            sizeof(struct um_model_thermal_sensitivity *), (void **)&moves->batch));
-  enum um_status status = um_model_thermal_sensitivity_create(context, forward->base.heat,
-                                                              batch->move, batch->count, &found);
-  if (status == UM_ERR_NUMERIC)
+  enum um_status status = um_model_thermal_sensitivity_create(
+      context, forward->base.heat, batch->move, batch->count, &run->thermal);
+  if (status == UM_ERR_NUMERIC) {
     um_core_message_clear(context);
-  else
-    UM_TRY(status);
-  if (found != NULL) moves->batch[moves->nbatch++] = found;
-  for (size_t k = 0; k < batch->count; k++) {
-    moves->moved[batch->of[k]].sensitivity = found;
-    moves->moved[batch->of[k]].which = k;
+    return UM_OK;
   }
-  if (found != NULL) {
-    forward->heat_batches++;
-    forward->heat_sensitivities += batch->count;
-  }
+  UM_TRY(status);
+  moves->nrun++;
+  forward->heat_batches++;
+  forward->heat_sensitivities += batch->count;
   forward->heat_seconds += omp_get_wtime() - begin;
-  batch_clear(context, batch);
+  for (size_t k = 0; k < batch->count; k++) light = light || warms(&moved[k]);
+  if (light) UM_TRY(um_model_light_sensitivity_create(context, run->thermal, &run->light));
+  for (size_t k = 0; k < batch->count; k++) {
+    moved[k].sensitivity = run->thermal;
+    moved[k].light = warms(&moved[k]) ? run->light : NULL;
+    moved[k].which = k;
+  }
   return UM_OK;
+}
+
+/* The run of a batch that is full, or of the last. */
+static enum um_status batch_end(struct um_context *context, struct um_sensitivity_forward *forward,
+                                struct batch *batch)
+{
+  if (batch->count == 0) return UM_OK;
+  enum um_status status =
+      batch_run(context, forward, batch, forward->cache->moves->count - batch->count);
+  batch_clear(context, batch);
+  return status;
+}
+
+bool um_sensitivity_moves_heat(const struct um_effect *effect)
+{
+  uint32_t reach = um_effects_reach(effect);
+  return (reach & UM_REACH_THERMAL) != 0 && (reach & UM_REACH_GEOMETRY) == 0;
 }
 
 /* Into the batch; a move that is refused is left to the one who takes the step. */
@@ -101,14 +131,12 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
   struct um_variant *v = &batch->variant[batch->count];
   double share = NAN;
   bool wanted = false;
-  uint32_t reach = um_effects_reach(move->effect);
-  if ((reach & UM_REACH_THERMAL) == 0 || (reach & UM_REACH_GEOMETRY) != 0) return UM_OK;
+  if (!um_sensitivity_moves_heat(move->effect)) return UM_OK;
   *v = (struct um_variant){0};
   enum um_status status = move_open(context, forward, move, v, &share);
   if (status == UM_OK) status = is_wanted(context, forward, v, &wanted);
   if (status == UM_OK && wanted) {
-    moves->moved[moves->count] = (struct um_sensitivity_moved){.move = *move};
-    batch->of[batch->count] = moves->count++;
+    moves->moved[moves->count++] = (struct um_sensitivity_moved){.move = *move};
     batch->move[batch->count++] =
         (struct um_model_thermal_move){v->model, v->tables, share * move->step};
     return UM_OK;
@@ -124,34 +152,37 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          const struct um_sensitivity_move *move, size_t n)
 {
   enum um_status status;
-  struct batch *batch = NULL;
-  bool applicable;
-  size_t numbers = um_thermal_network_nodes(forward->model->body->network) *
-                   (1 + forward->base.tables->nobs * forward->base.tables->nsub);
+  struct batch batch = {.most = moves_most(forward)};
+  struct um_sensitivity_moves *moves = NULL;
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);
   um_sensitivity_moves_clear(context, forward);
-  UM_CHECK(um_model_thermal_sensitivity_is_applicable(context, forward->base.heat, forward->model,
-                                                      forward->base.tables, &applicable));
-  if (!applicable)
-    n = 0; /* what the scenario as it stands forbids: no model need be built to see it */
-  UM_CHECK(um_core_allocate(context, 1, sizeof *batch, &batch));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *forward->cache->moves, &forward->cache->moves));
-  UM_CHECK(um_core_allocate(context, n, sizeof *forward->cache->moves->moved,
-                            &forward->cache->moves->moved));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *moves, &moves));
+  forward->cache->moves = moves;
+  UM_CHECK(um_core_allocate(context, n, sizeof *moves->moved, &moves->moved));
+  UM_CHECK(um_core_allocate(context, n, sizeof *moves->run, &moves->run));
+  UM_CHECK(um_core_allocate(context, n, sizeof *batch.move, &batch.move));
+  UM_CHECK(um_core_allocate(context, n, sizeof *batch.variant, &batch.variant));
   for (size_t i = 0; i < n; i++) {
-    UM_CHECK(take(context, forward, &move[i], batch));
-    if (batch->count == BATCH || (batch->count + 1) * numbers > BATCH_NUMBERS)
-      UM_CHECK(batch_run(context, forward, batch));
+    UM_CHECK(take(context, forward, &move[i], &batch));
+    if (batch.count == batch.most) UM_CHECK(batch_end(context, forward, &batch));
   }
-  UM_CHECK(batch_run(context, forward, batch));
+  UM_CHECK(batch_end(context, forward, &batch));
 done:
   um_core_quiet_end(context);
-  if (batch != NULL) batch_clear(context, batch);
-  um_core_free(context, batch);
+  batch_clear(context, &batch);
+  UM_FREE(context, batch.move, batch.variant);
   if (status != UM_OK) um_sensitivity_moves_clear(context, forward);
   forward->seconds += omp_get_wtime() - begin;
   return status;
+}
+
+enum um_status um_sensitivity_moves_possible(struct um_context *context,
+                                             const struct um_sensitivity_forward *forward,
+                                             bool *out)
+{
+  return um_model_thermal_sensitivity_is_applicable(context, forward->base.heat, forward->model,
+                                                    forward->base.tables, out);
 }
 
 void um_sensitivity_moves_clear(struct um_context *context, struct um_sensitivity_forward *forward)

@@ -5,10 +5,16 @@
 
 #include "evidence/sensitivity/forward_impl.h"
 
-/* What temperatures answer to the moves [n], at the scenario as it stands, many in one run: into
- * the forward's cache. Moves that heat does not feel, that are refused or that
- * um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their own. Their
- * targets live until _clear. */
+/* Might heat's answer to an effect's parameters be a sensitivity, by what it declares? */
+bool um_sensitivity_moves_heat(const struct um_effect *effect);
+/* *out: does the scenario as it stands let them be? Does not fail but for memory. */
+enum um_status um_sensitivity_moves_possible(struct um_context *context,
+                                             const struct um_sensitivity_forward *forward,
+                                             bool *out);
+/* What temperatures, and light by them alone, answer to the moves [n], at the scenario as it
+ * stands, all in one run: into the forward's cache. Moves that heat does not feel, that are refused
+ * or that um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their
+ * own. Their targets live until _clear. */
 enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          struct um_sensitivity_forward *forward,
                                          const struct um_sensitivity_move *move, size_t n);

@@ -1,5 +1,7 @@
-/* Signatures of many candidates at once. A worker sends back the candidate as it made it, as bytes,
- * what the work took, and the columns; its pointers are the parent's own. */
+/* Signatures of many candidates at once. Those that move heat go in groups: one run of heat's
+ * tangent and one pass of light serve a group, in the worker that has it, and are gone with it. A
+ * group does not depend on the number of workers. A worker sends back the candidate as it made it,
+ * as bytes, what the work took, and the columns; its pointers are the parent's own. */
 #include "evidence/sensitivity/signatures_impl.h"
 
 #include <stdio.h>
@@ -10,9 +12,21 @@
 #include "evidence/sensitivity/signature_impl.h"
 #include "variant/many.h"
 
+#define HEAT_MOVES 32                  /* moves in one run of heat */
+#define HEAT_BYTES ((size_t)128 << 20) /* that their answers may take */
+
+/* Candidates that look for their heat together, or one candidate. */
+struct task {
+  size_t first, count; /* in work.order */
+};
 struct work {
   const struct um_sensitivity_point *point;
   struct um_sensitivity_candidate *candidate; /* [count] */
+  bool *is_done;                              /* [count] */
+  bool heat;         /* tasks are groups: a candidate whose heat is not found together is left */
+  size_t *order;     /* [count] candidates as tasks take them */
+  struct task *task; /* [ntask] */
+  size_t ntask;
 };
 
 /* What goes before the columns. */
@@ -20,6 +34,7 @@ struct answer {
   struct um_sensitivity_candidate candidate;
   struct um_sensitivity_effort effort;
   char why[1024]; /* of a refusal; "": none */
+  bool left;      /* nothing was done */
 };
 #define ANSWER ((sizeof(struct answer) + sizeof(double) - 1) / sizeof(double)) /* [doubles] */
 
@@ -39,34 +54,89 @@ static enum um_status refused(struct um_context *context, enum um_status status,
   return UM_OK;
 }
 
-static enum um_status compute(struct um_context *context, void *user, size_t which, double *value)
+static size_t room_of(const struct work *work, size_t which)
 {
-  const struct work *work = user;
+  return ANSWER + columns_of(&work->candidate[which]) * work->point->forward->observations.count;
+}
+
+static size_t moves_of(const struct work *work, const struct task *task,
+                       struct um_sensitivity_move *move)
+{
+  size_t n = 0;
+  for (size_t i = 0; i < task->count; i++)
+    n += um_sensitivity_signature_moves(&work->candidate[work->order[task->first + i]], move + n);
+  return n;
+}
+
+/* Heat of the first steps of a task's candidates. */
+static enum um_status find_moves(struct um_context *context, const struct work *work,
+                                 const struct task *task)
+{
+  struct um_sensitivity_move *move = NULL;
+  UM_TRY(um_core_allocate(context, task->count, UM_EFFECT_PARAMETERS_MAX * sizeof *move, &move));
+  size_t n = moves_of(work, task, move);
+  enum um_status status = um_sensitivity_moves_find(context, work->point->forward, move, n);
+  um_core_free(context, move);
+  return status;
+}
+
+/* Is heat of any of a candidate's moves known? */
+static bool found(const struct work *work, size_t which)
+{
+  struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
+  size_t n = um_sensitivity_signature_moves(&work->candidate[which], move);
+  for (size_t k = 0; k < n; k++)
+    if (um_sensitivity_moves_of(work->point->forward->cache->moves, &move[k]) != NULL) return true;
+  return false;
+}
+
+/* The answer of one candidate, what was made before it among its effort. */
+static enum um_status compute_one(struct um_context *context, const struct work *work, size_t which,
+                                  const struct um_sensitivity_forward *before, double *value)
+{
   struct um_sensitivity_forward *f = work->point->forward;
   struct answer answer = {.candidate = work->candidate[which]};
-  const struct um_sensitivity_forward before = *f;
   enum um_status status = UM_OK;
   answer.candidate.signature = value + ANSWER;
-  if (!answer.candidate.insensitive)
+  answer.left = work->heat && !found(work, which);
+  if (!answer.candidate.insensitive && !answer.left)
     status = um_sensitivity_signature_make(context, work->point, &answer.candidate);
   if (status != UM_OK) status = refused(context, status, &answer);
-  answer.effort = um_sensitivity_forward_effort(f, &before);
+  answer.effort = um_sensitivity_forward_effort(f, before);
   memcpy(value, &answer, sizeof answer);
   return status;
 }
 
+static enum um_status compute(struct um_context *context, void *user, size_t which, double *value)
+{
+  const struct work *work = user;
+  const struct task *task = &work->task[which];
+  struct um_sensitivity_forward *f = work->point->forward;
+  const struct um_sensitivity_forward before = *f;
+  enum um_status status = UM_OK;
+  if (work->heat) UM_CHECK(find_moves(context, work, task));
+  for (size_t i = 0; i < task->count; i++) {
+    size_t of = work->order[task->first + i];
+    UM_CHECK(compute_one(context, work, of, &before, value));
+    value += room_of(work, of);
+  }
+done:
+  um_sensitivity_moves_clear(context, f);
+  return status;
+}
+
 /* The candidate as the worker made it, but for what is the parent's own. */
-static enum um_status done(struct um_context *context, void *user, size_t which,
-                           enum um_status status, const double *value)
+static enum um_status take(struct um_context *context, const struct work *work, size_t which,
+                           const double *value, bool *is_done)
 {
   struct answer answer;
-  const struct work *work = user;
   struct um_sensitivity_candidate *c = &work->candidate[which];
   const struct um_sensitivity_candidate own = *c;
   size_t n = work->point->forward->observations.count, columns = columns_of(c);
-  UM_TRY(status);
   memcpy(&answer, value, sizeof answer);
   um_sensitivity_forward_effort_add(work->point->forward, &answer.effort);
+  *is_done = !answer.left;
+  if (answer.left) return UM_OK;
   *c = answer.candidate;
   c->name = own.name;
   c->target = own.target;
@@ -83,19 +153,71 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   return UM_OK;
 }
 
-/* Heat of the first steps of all candidates. */
-static enum um_status find_moves(struct um_context *context,
-                                 const struct um_sensitivity_point *point,
-                                 const struct um_sensitivity_candidate *candidate, size_t count)
+static enum um_status done(struct um_context *context, void *user, size_t which,
+                           enum um_status status, const double *value)
 {
-  struct um_sensitivity_move *move = NULL;
-  size_t n = 0;
-  if (point->naddition > 0) return UM_OK; /* the heat at hand is the scenario's */
-  UM_TRY(um_core_allocate(context, count + 1, UM_EFFECT_PARAMETERS_MAX * sizeof *move, &move));
-  for (size_t i = 0; i < count; i++) n += um_sensitivity_signature_moves(&candidate[i], move + n);
-  enum um_status status = um_sensitivity_moves_find(context, point->forward, move, n);
-  um_core_free(context, move);
-  return status;
+  struct work *work = user;
+  const struct task *task = &work->task[which];
+  size_t ndone = 0;
+  UM_TRY(status);
+  for (size_t i = 0; i < task->count; i++) {
+    size_t of = work->order[task->first + i], room = room_of(work, of);
+    UM_TRY(take(context, work, of, value, &work->is_done[of]));
+    value += room;
+    ndone += work->is_done[of];
+  }
+  /* a task is a step, so that a group has one beside its candidates */
+  return um_core_progress_step(context, work->heat ? ndone : 0);
+}
+
+/* Candidates that may move heat, in groups of about HEAT_MOVES moves, in their order. */
+static void make_groups(struct work *work, size_t count)
+{
+  size_t moves = 0, n = 0;
+  work->ntask = 0;
+  for (size_t i = 0; i < count; i++) {
+    struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
+    const struct um_sensitivity_candidate *c = &work->candidate[i];
+    size_t own = um_sensitivity_signature_moves(c, move);
+    if (own == 0 || !um_sensitivity_moves_heat(c->effect)) continue;
+    if (work->ntask == 0 || moves + own > HEAT_MOVES) {
+      work->task[work->ntask++] = (struct task){.first = n};
+      moves = 0;
+    }
+    work->task[work->ntask - 1].count++;
+    work->order[n++] = i;
+    moves += own;
+  }
+  work->heat = true;
+}
+
+/* Every candidate that is left is a task. */
+static void make_singles(struct work *work, size_t count)
+{
+  work->ntask = 0;
+  for (size_t i = 0; i < count; i++) {
+    if (work->is_done[i]) continue;
+    work->order[work->ntask] = i;
+    work->task[work->ntask] = (struct task){work->ntask, 1};
+    work->ntask++;
+  }
+  work->heat = false;
+}
+
+static enum um_status run_tasks(struct um_context *context, struct work *work)
+{
+  struct um_workers_each tasks = {.n = work->ntask,
+                                  .compute = compute,
+                                  .done = done,
+                                  .user = work,
+                                  .workers = um_core_context_threads(context)};
+  for (size_t t = 0; t < work->ntask; t++) {
+    size_t room = 0;
+    for (size_t i = 0; i < work->task[t].count; i++)
+      room += room_of(work, work->order[work->task[t].first + i]);
+    if (tasks.nvalue < room) tasks.nvalue = room;
+  }
+  return um_variant_tasks(context, work->point->forward->evaluator, &tasks);
 }
 
 enum um_status um_sensitivity_signatures_create(struct um_context *context,
@@ -106,24 +228,26 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   enum um_status status = UM_OK;
   struct um_sensitivity_forward *f = point->forward;
   struct um_sensitivity_forward_run base = {.result = NULL};
-  struct work work = {point, candidate};
-  struct um_workers_each tasks = {.n = count,
-                                  .compute = compute,
-                                  .done = done,
-                                  .user = &work,
-                                  .workers = um_core_context_threads(context)};
+  struct work work = {.point = point, .candidate = candidate};
+  bool possible = false;
   UM_TRY(um_variant_share(context, f->evaluator, UM_VARIANT_WARM, true));
-  um_core_progress_begin(context, "signatures of effects", count);
-  for (size_t i = 0; i < count; i++) {
-    size_t room = ANSWER + columns_of(&candidate[i]) * f->observations.count;
+  /* with additions the heat at hand is not the scenario's */
+  if (point->naddition == 0) UM_TRY(um_sensitivity_moves_possible(context, f, &possible));
+  UM_CHECK(um_core_allocate(context, count, sizeof *work.order, &work.order));
+  UM_CHECK(um_core_allocate(context, count, sizeof *work.task, &work.task));
+  UM_CHECK(um_core_allocate(context, count, sizeof *work.is_done, &work.is_done));
+  for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
-    if (tasks.nvalue < room) tasks.nvalue = room;
+  if (possible) make_groups(&work, count);
+  um_core_progress_begin(context, "signatures of effects", work.ntask + count);
+  status = run_tasks(context, &work);
+  if (status == UM_OK) {
+    make_singles(&work, count);
+    status = run_tasks(context, &work);
   }
-  UM_CHECK(find_moves(context, point, candidate, count));
-  UM_CHECK(um_variant_tasks(context, f->evaluator, &tasks));
-done:
-  um_sensitivity_moves_clear(context, f);
-  um_sensitivity_forward_run_release(context, &base);
   um_core_progress_end(context);
+done:
+  um_sensitivity_forward_run_release(context, &base);
+  UM_FREE(context, work.order, work.task, work.is_done);
   return status;
 }

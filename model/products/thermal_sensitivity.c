@@ -1,14 +1,13 @@
 /* Sensitivities of a model's temperatures: networks, loads and exchange of the moved models become
  * variants of the base's (thermal/tangent/sensitivity.h). Start offsets are of both alike, so that
  * of a periodic start S is that of the periodic state. */
-#include "model/products/thermal_sensitivity.h"
+#include "model/products/thermal_sensitivity_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "model/build/start_offset_group.h"
 #include "model/geometry/thermal_equal_group.h"
-#include "model/run/thermal_solution_group.h"
 #include "thermal/tangent/sensitivity.h"
 
 /* Of a step over the largest answer (thermal/tangent/sensitivity.h). Of ENVISAT's pass it leaves
@@ -16,11 +15,6 @@
  * grazes, whose load is kinked at every row of its grid; of hidden-effect 1e-3 in every node
  * (tests/model/products/thermal_sensitivity.c). */
 #define TOLERANCE 1e-4
-
-struct um_model_thermal_sensitivity {
-  size_t nmove, nrow, nnode;
-  double *value; /* [nmove][nrow][nnode] dT/dp at the rows of the history */
-};
 
 /* --- what it is applicable to ----------------------------------------------------------------- */
 
@@ -74,7 +68,8 @@ static enum um_status keep(void *user, size_t row, const double *temperature, co
   struct um_model_thermal_sensitivity *to = user;
   (void)temperature;
   for (size_t k = 0; k < to->nmove; k++)
-    memcpy(to->value + (k * to->nrow + row) * to->nnode, s + k * to->nnode, to->nnode * sizeof *s);
+    for (size_t i = 0; i < to->nnode; i++)
+      to->value[(k * to->nrow + row) * to->nnode + i] = (float)s[k * to->nnode + i];
   return UM_OK;
 }
 
@@ -137,8 +132,8 @@ enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *w.to, &w.to));
   *w.to = (struct um_model_thermal_sensitivity){
-      .nmove = nmove, .nrow = heat->run.history->ntime, .nnode = n};
-  UM_CHECK(um_core_allocate(context, nmove, w.to->nrow * n * sizeof(double), &w.to->value));
+      .heat = heat, .nmove = nmove, .nrow = heat->run.history->ntime, .nnode = n};
+  UM_CHECK(um_core_allocate(context, nmove, w.to->nrow * n * sizeof(float), &w.to->value));
   UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.begin));
   UM_CHECK(um_core_allocate(context, nmove, n * sizeof(double), &w.start));
   UM_CHECK(um_core_allocate(context, nmove, sizeof *w.solver, &w.solver));
@@ -163,10 +158,20 @@ void um_model_thermal_sensitivity_destroy(struct um_context *context,
   *sensitivity = NULL;
 }
 
+void um_model_thermal_sensitivity_surfaces(const void *self, size_t k, size_t instant, double *out)
+{
+  const struct um_model_thermal_sensitivity *s = self;
+  const struct um_model_heat_run *run = &s->heat->run;
+  size_t row = instant + (run->before ? 1 : 0);
+  um_thermal_surface_answers(s->heat->model->body->network,
+                             run->history->temperature + row * s->nnode,
+                             s->value + (k * s->nrow + row) * s->nnode, out);
+}
+
 /* --- a solution that is moved ---------------------------------------------------------------- */
 
 static enum um_status history_move(struct um_context *context,
-                                   const struct um_thermal_history *from, const double *s,
+                                   const struct um_thermal_history *from, const float *s,
                                    double step, struct um_thermal_history *to)
 {
   size_t n = from->ntime * from->nnode;
@@ -179,7 +184,7 @@ static enum um_status history_move(struct um_context *context,
   UM_TRY(um_core_allocate(context, n, sizeof *to->temperature, &to->temperature));
   memcpy(to->t, from->t, to->ntime * sizeof *to->t);
   for (size_t i = 0; i < n; i++) {
-    to->temperature[i] = from->temperature[i] + step * s[i];
+    to->temperature[i] = from->temperature[i] + step * (double)s[i];
     if (!(to->temperature[i] > 0.0))
       return um_core_fail(context, UM_ERR_NUMERIC,
                           "a parameter moved by %g moves a temperature of %.4g K to %.4g K", step,
@@ -196,7 +201,7 @@ enum um_status um_model_thermal_solution_move(
 {
   enum um_status status;
   const struct um_model_heat_like like = {heat->model, heat->tables, &heat->solver};
-  const double *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
+  const float *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
   struct um_model_thermal_solution *moved = NULL;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *moved, &moved));

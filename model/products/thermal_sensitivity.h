@@ -14,9 +14,8 @@
  * nodes, heaters or power histories come or go, times of the observations or of the loads move or
  * edges of the shadow do, where a start is not the periodic state or the one that is stated, or
  * view factors differ; where loads are means over a turn, whose within-spin variation is added to
- * temperatures afterwards; where more than 32 patches exchange radiation, or parts move that see
- * each other: all optics need an exchange of their own, and it is not shown that this costs less
- * than runs; and where thermostats switch: between switchings a derivative says little of a step.
+ * temperatures afterwards; and where thermostats switch: between switchings a derivative says
+ * little of a step.
  * *out: yes or no. Does not fail but for memory. */
 enum um_status um_model_thermal_sensitivity_is_applicable(
     struct um_context *context, const struct um_model_thermal_solution *heat,

@@ -39,14 +39,9 @@ struct task {
   struct um_optics_glow *glow, *coarse_glow; /* NULL: not asked */
 };
 
-static enum um_status curve_create(struct um_context *context,
-                                   const struct um_optics_spectra *spectra, size_t ntime,
-                                   struct um_optics_lightcurve *c)
+static enum um_status curve_allocate(struct um_context *context, struct um_optics_lightcurve *c)
 {
-  c->ntime = ntime;
-  c->nband = spectra->nband;
-  c->nbin = spectra->nbin;
-  c->nmaterial = spectra->nmaterial;
+  size_t ntime = c->ntime;
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->wavelength, &c->wavelength));
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->width, &c->width));
   UM_TRY(um_core_allocate(context, c->nbin, sizeof *c->transmission, &c->transmission));
@@ -58,6 +53,18 @@ static enum um_status curve_create(struct um_context *context,
   UM_TRY(um_core_allocate(context, ntime * c->nband, sizeof *c->stderr_, &c->stderr_));
   UM_TRY(
       um_core_allocate(context, ntime * c->nband, sizeof *c->between_stderr, &c->between_stderr));
+  return UM_OK;
+}
+
+static enum um_status curve_create(struct um_context *context,
+                                   const struct um_optics_spectra *spectra, size_t ntime,
+                                   struct um_optics_lightcurve *c)
+{
+  *c = (struct um_optics_lightcurve){.ntime = ntime,
+                                     .nband = spectra->nband,
+                                     .nbin = spectra->nbin,
+                                     .nmaterial = spectra->nmaterial};
+  UM_TRY(curve_allocate(context, c));
   memcpy(c->wavelength, spectra->wavelength, c->nbin * sizeof *c->wavelength);
   memcpy(c->width, spectra->width, c->nbin * sizeof *c->width);
   memcpy(c->transmission, spectra->transmission, c->nbin * sizeof *c->transmission);
@@ -166,9 +173,9 @@ static void glow_add(const struct task *task, size_t skin,
       um_optics_spectra_emissivity(task->spectra, skin, cos_o, task->work->emissivity);
   for (size_t i = first; i < end; i++) {
     double area = coplanar->sight[i].area_seen * cos_o;
-    if (area > 0.0)
-      um_optics_glow_add(task->glow, task->spectra, coplanar->surface[i],
-                         coplanar->sight[i].temperature, area, emissivity);
+    if (!(area > 0.0)) continue;
+    double *to = um_optics_glow_of(task->glow, coplanar->surface[i]);
+    for (size_t b = 0; b < task->glow->nbin; b++) to[b] += area * emissivity[b];
   }
 }
 
@@ -176,17 +183,20 @@ static void glow_add(const struct task *task, size_t skin,
 static void warmth_add(const struct task *task)
 {
   const struct um_optics_warmth *warmth = task->job->warmth;
-  const struct um_optics_glow *glow = task->glow, *coarse = task->coarse_glow;
+  struct um_optics_glow *glow = task->glow, *coarse = task->coarse_glow;
   size_t nsurface = glow->nsurface, nbin = glow->nbin, time = task->now.time,
          ntime = task->job->scene->view->ntime;
+  const double *temperature = task->job->scene->temperature + time * nsurface;
+  um_optics_glow_warm(glow, task->spectra, temperature);
+  um_optics_glow_warm(coarse, task->coarse, temperature);
   for (size_t k = 0; k < warmth->n; k++) {
-    const float *warming = warmth->warming[k] + time * nsurface;
-    double *out = warmth->spectral + (k * ntime + time) * nbin, *few = coarse->share;
+    double *out = warmth->spectral + (k * ntime + time) * nbin, *few = coarse->row;
+    warmth->warming(warmth->user, k, time, glow->warming);
     memset(out, 0, nbin * sizeof *out);
     memset(few, 0, coarse->nbin * sizeof *few);
     for (size_t s = 0; s < nsurface; s++) {
-      double t = (double)warming[s];
-      const double *direct = glow->slope + s * nbin, *by = coarse->slope + s * coarse->nbin;
+      double t = glow->warming[s];
+      const double *direct = glow->weight + s * nbin, *by = coarse->weight + s * coarse->nbin;
       for (size_t b = 0; b < nbin && glow->has[s]; b++) out[b] += t * direct[b];
       for (size_t b = 0; b < coarse->nbin && coarse->has[s]; b++) few[b] += t * by[b];
     }
@@ -394,6 +404,43 @@ done:
   if (scenes != NULL) um_optics_posed_scenes_clear(context, scenes);
   um_core_free(context, scenes);
   job_clear(context, &job);
+  return status;
+}
+
+enum um_status um_optics_lightcurve_warmed(struct um_context *context,
+                                           const struct um_optics_lightcurve *curve,
+                                           const double *spectral, double step,
+                                           struct um_optics_lightcurve **out)
+{
+  struct um_optics_lightcurve *c = NULL;
+  size_t n = curve->ntime * curve->nbin, per_band = curve->nmaterial * UM_MECHANISM_COUNT,
+         nvalue = curve->ntime * curve->nband;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *c, &c));
+  *c = (struct um_optics_lightcurve){.ntime = curve->ntime,
+                                     .nband = curve->nband,
+                                     .nbin = curve->nbin,
+                                     .nmaterial = curve->nmaterial};
+  UM_CHECK(curve_allocate(context, c));
+  memcpy(c->wavelength, curve->wavelength, c->nbin * sizeof *c->wavelength);
+  memcpy(c->width, curve->width, c->nbin * sizeof *c->width);
+  memcpy(c->transmission, curve->transmission, c->nbin * sizeof *c->transmission);
+  memcpy(c->band, curve->band, c->nbin * sizeof *c->band);
+  memcpy(c->spectral, curve->spectral, n * UM_MECHANISM_COUNT * sizeof *c->spectral);
+  memcpy(c->intensity, curve->intensity, nvalue * per_band * sizeof *c->intensity);
+  memcpy(c->stderr_, curve->stderr_, nvalue * sizeof *c->stderr_);
+  memcpy(c->between_stderr, curve->between_stderr, nvalue * sizeof *c->between_stderr);
+  for (size_t i = 0; i < n; i++) {
+    size_t time = i / c->nbin, b = i % c->nbin;
+    double change = step * spectral[i];
+    c->spectral[i * UM_MECHANISM_COUNT + UM_MECHANISM_EMITTED] += change;
+    c->intensity[(time * c->nband + c->band[b]) * per_band + UM_MECHANISM_EMITTED] +=
+        change * c->transmission[b] * c->width[b];
+  }
+  *out = c;
+  c = NULL;
+done:
+  um_optics_lightcurve_destroy(context, &c);
   return status;
 }
 

@@ -8,7 +8,9 @@
 /* Changes of the temperatures, and of the light with them. */
 struct um_optics_warmth {
   size_t n;
-  const float *const *warming; /* [n] each [ntime][nsurface] dT/dp [K per unit of p] */
+  /* dT/dp of change k at an instant, out [nsurface] [K per unit of p]; called by many threads */
+  void (*warming)(const void *user, size_t k, size_t time, double *out);
+  const void *user;
   double *spectral; /* [n][ntime][nbin] out, d(spectral)/dp at the bins of the light curve, emitted
                        straight and by way of other surfaces [W/sr/m per unit of p] */
 };
@@ -17,6 +19,12 @@ enum um_status um_optics_lightcurve_warmth(struct um_context *context,
                                            const struct um_optics_scene *scene,
                                            const struct um_optics_band *bands, size_t nband,
                                            const struct um_optics_warmth *warmth,
+                                           struct um_optics_lightcurve **out);
+/* The light curve that a change [ntime][nbin] of p by `step` makes of one, to first order: all of
+ * it stands with what the first material emits. Errors stay. The caller destroys. */
+enum um_status um_optics_lightcurve_warmed(struct um_context *context,
+                                           const struct um_optics_lightcurve *curve,
+                                           const double *spectral, double step,
                                            struct um_optics_lightcurve **out);
 
 #endif

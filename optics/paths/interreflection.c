@@ -91,10 +91,9 @@ static void keep_glow(const struct um_optics_bundle *p, int i, double sign, cons
   struct um_optics_glow *glow = p->paths.glow;
   const double *left = um_optics_bundle_throughput(p, i);
   if (glow == NULL) return;
+  double *to = um_optics_glow_of(glow, p->vertex[i].surface), worth = sign * p->worth;
   for (size_t b = 0; b < glow->nbin; b++)
-    glow->share[b] = left[b] * (share != NULL ? share[b] : 1.0);
-  um_optics_glow_add(glow, p->paths.spectra, p->vertex[i].surface,
-                     p->paths.scene->temperature[p->vertex[i].at], sign * p->worth, glow->share);
+    to[b] += worth * left[b] * (share != NULL ? share[b] : 1.0);
 }
 
 static bool telescopes(const struct um_optics_bundle *p, int i)

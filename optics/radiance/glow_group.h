@@ -5,12 +5,13 @@
 
 #include "optics/radiance/radiance_group.h"
 
-/* d(intensity)/dT of every surface [W/sr/m/K] in some bins. Of one thread. */
+/* What the observer sees of every surface's black body, straight and by way of others, in some
+ * bins. Of one thread. */
 struct um_optics_glow {
-  double *slope; /* [nsurface][nbin] */
-  bool *has;     /* [nsurface] is any of its row not 0? */
-  double *row;   /* [2][nbin] scratch */
-  double *share; /* [nbin] scratch of who adds */
+  double *weight;  /* [nsurface][nbin] emissivity, area and throughput [m^2] */
+  bool *has;       /* [nsurface] is any of its row not 0? */
+  double *row;     /* [2][nbin] scratch */
+  double *warming; /* [nsurface] scratch of who sums */
   size_t nsurface, nbin;
 };
 enum um_status um_optics_glow_create(struct um_context *context, size_t nsurface,
@@ -20,9 +21,15 @@ enum um_status um_optics_glow_create(struct um_context *context, size_t nsurface
 void um_optics_glow_clear(struct um_context *context, struct um_optics_glow *glow);
 /* All rows become 0. */
 void um_optics_glow_reset(struct um_optics_glow *glow);
-/* The row of `surface` grows by `area` [m^2] times share[nbin] (NULL: 1) times dB/dT at its
- * temperature, in steps of half a kelvin: 1e-4 of it at 150 K and 8 um. */
-void um_optics_glow_add(struct um_optics_glow *glow, const struct um_optics_spectra *spectra,
-                        size_t surface, double temperature, double area, const double *share);
+/* The row of a surface, for who adds to it. */
+static inline double *um_optics_glow_of(struct um_optics_glow *glow, size_t surface)
+{
+  glow->has[surface] = true;
+  return glow->weight + surface * glow->nbin;
+}
+/* The weights become those of a kelvin, times dB/dT at temperature[nsurface], in steps of half a
+ * kelvin: 1e-4 of it at 150 K and 8 um [W/sr/m/K]. */
+void um_optics_glow_warm(struct um_optics_glow *glow, const struct um_optics_spectra *spectra,
+                         const double *temperature);
 
 #endif

@@ -227,3 +227,23 @@ void um_thermal_surface_temperatures(const struct um_thermal_network *network,
     surface_temperature[s] = used == 0 ? NAN : used == 1 ? only : sqrt(sqrt(sum));
   }
 }
+
+void um_thermal_surface_answers(const struct um_thermal_network *network,
+                                const double *node_temperature, const float *answer,
+                                double *surface_answer)
+{
+  for (size_t s = 0; s < network->noutside; s++) {
+    const struct um_thermal_surface *surface = &network->surface[s];
+    double sum = 0.0, slope = 0.0, only = 0.0;
+    int used = 0;
+    for (int k = 0; k < 3 && network->attached[s]; k++) {
+      if (surface->node[k] == UM_THERMAL_SPACE) continue;
+      double t = node_temperature[surface->node[k]], cube = surface->weight[k] * t * t * t;
+      only = (double)answer[surface->node[k]];
+      sum += cube * t;
+      slope += cube * only;
+      used++;
+    }
+    surface_answer[s] = used == 0 ? 0.0 : used == 1 ? only : slope / pow(sum, 0.75);
+  }
+}

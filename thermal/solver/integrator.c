@@ -9,6 +9,7 @@
  * history as the temperatures. A linear multistep method keeps linear balances, hence the audit
  * closes to the residual of Newton's iteration, a tenth of the step's error test, and to what the
  * solution with exchange leaves of a right side (integrator_create.c). */
+#include <math.h>
 #include <string.h>
 
 #include "thermal/solver/integrator_data_impl.h"
@@ -241,6 +242,22 @@ void um_thermal_integrator_heating(const struct um_thermal_integrator *integrato
 {
   const struct um_thermal_system *system = integrator->system;
   for (size_t k = 0; k < system->nthermostat; k++) on[k] = system->thermostat[k].on;
+}
+
+struct um_thermal_audit um_thermal_integrator_audit(const struct um_thermal_integrator *integrator)
+{
+  const double *term = N_VGetArrayPointer(integrator->quadrature);
+  double begin = integrator->content_before,
+         end = um_thermal_system_content(integrator->system, N_VGetArrayPointer(integrator->y));
+  return (struct um_thermal_audit){.heat = {.solar = term[UM_AUDIT_SOLAR],
+                                            .albedo = term[UM_AUDIT_ALBEDO],
+                                            .planet = term[UM_AUDIT_PLANET],
+                                            .internal = term[UM_AUDIT_INTERNAL],
+                                            .conducted = term[UM_AUDIT_CONDUCTED],
+                                            .radiated = term[UM_AUDIT_RADIATED],
+                                            .exchanged = term[UM_AUDIT_EXCHANGED],
+                                            .stored = end - begin},
+                                   .content = fmax(fabs(begin), fabs(end))};
 }
 
 void um_thermal_integrator_counts(const struct um_thermal_integrator *integrator, size_t *steps,

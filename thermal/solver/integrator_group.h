@@ -3,7 +3,7 @@
 #ifndef UMBRA_THERMAL_INTEGRATOR_GROUP_H
 #define UMBRA_THERMAL_INTEGRATOR_GROUP_H
 
-#include "thermal/solver/solve.h"
+#include "thermal/solver/audit.h"
 #include "thermal/solver/system_group.h"
 
 struct um_thermal_integrator;

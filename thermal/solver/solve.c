@@ -10,6 +10,9 @@
 #include "base/core/constants.h"
 #include "thermal/solver/integrator_group.h"
 
+#define CLOSED 1e-6 /* of its content, the turnover of a satellite that nothing enters or leaves   \
+                     */
+
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
 {
   *options = (struct um_thermal_solve_options){.relative_tolerance = 2e-7,
@@ -64,6 +67,36 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
   if (history == NULL || *history == NULL) return;
   UM_FREE(context, (*history)->t, (*history)->temperature, (*history)->heating, *history);
   *history = NULL;
+}
+
+static double error_of(const struct um_thermal_heat *h, double content)
+{
+  const double term[UM_AUDIT_TERMS] = {h->solar,    h->albedo,    h->planet,   h->internal,
+                                       h->radiated, h->conducted, h->exchanged};
+  double net = 0.0, gross = 0.0;
+  for (int k = 0; k < UM_AUDIT_TERMS; k++) {
+    net += term[k];
+    gross += fabs(term[k]);
+  }
+  gross = fmax(gross, CLOSED * content);
+  return gross > 0.0 ? fabs(net - h->stored) / gross : 0.0;
+}
+
+void um_thermal_history_audit_join(struct um_thermal_history *history,
+                                   const struct um_thermal_audit *before)
+{
+  struct um_thermal_heat *to = &history->audit;
+  const struct um_thermal_heat *from = &before->heat;
+  to->solar += from->solar;
+  to->albedo += from->albedo;
+  to->planet += from->planet;
+  to->internal += from->internal;
+  to->conducted += from->conducted;
+  to->radiated += from->radiated;
+  to->exchanged += from->exchanged;
+  to->stored += from->stored;
+  history->content = fmax(history->content, before->content);
+  history->audit_error = error_of(to, history->content);
 }
 
 static enum um_status history_run(struct um_context *context,

@@ -6,19 +6,10 @@
 #include "thermal/loads/loads.h"
 #include "thermal/network/network.h"
 #include "thermal/network/solve_options.h"
+#include "thermal/solver/audit.h"
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options);
 
-/* Heat of one node or the whole [W] (history) or [J] (audit). planet: what the Earth emits, and
- * what its atmosphere brings where loads have that. stored = sum of the others. */
-struct um_thermal_heat {
-  double solar, albedo, planet, internal, conducted, radiated, exchanged, stored;
-};
-/* Heat over a stretch of time, of the whole satellite. */
-struct um_thermal_audit {
-  struct um_thermal_heat heat; /* integrals [J] */
-  double content;              /* largest heat content at an end of the stretch [J] */
-};
 struct um_thermal_history {
   size_t ntime, nnode;
   double *t;           /* [ntime] */
@@ -121,6 +112,11 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
 /* Add the heat of the thermostats that are on, heating[nthermostat], to out[nnode]. */
 void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, const bool *heating,
                                     struct um_thermal_heat *out);
+/* How those of the surfaces answer where those of the nodes, at `node_temperature`, answer by
+ * answer[nnode] [K per unit]: surface_answer [noutside], the derivative of the function below. */
+void um_thermal_surface_answers(const struct um_thermal_network *network,
+                                const double *node_temperature, const float *answer,
+                                double *surface_answer);
 /* Temperatures of the surfaces that loads are for from those of the nodes [nnode]. */
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature);
