@@ -28,8 +28,7 @@ struct um_optics_paths {
   struct um_optics_work *work;
   int factor;                                  /* times the paths of the exchange */
   const struct um_optics_photon_maps *photons; /* that serve; NULL: they are traced */
-  struct um_optics_glow
-      *glow; /* how emission that arrives grows with temperatures; NULL: not asked */
+  struct um_optics_glow *glow; /* takes what paths see of black bodies; NULL: not asked */
 };
 
 /* Is a lobe so narrow that chance does not find what it shows? */

@@ -11,7 +11,8 @@
 #include "effects/effects.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
-#include "model/products/thermal_sensitivity.h"
+#include "model/products/light_sensitivity.h"
+#include "model/run/run_light.h"
 #include "model/run/thermal_solution_group.h"
 #include "tests/support/cmocka_all.h"
 #include "tests/support/whole.h"
@@ -114,8 +115,8 @@ static void compare(const struct world *scenario, const struct moved *m,
                     const struct um_model_thermal_solution *moved)
 {
   struct um_thermal_history *h[2];
-  double largest = 0.0, worst = 0.0, guess[2048];
-  assert_true(heat->run.history->nnode <= sizeof guess / sizeof *guess);
+  double largest = 0.0, worst = 0.0, guess[512];
+  assert_true(heat->run.history->nnode <= 512);
   for (int side = 0; side < 2; side++) {
     struct world w = variant(scenario, m, side == 0 ? m->width : -m->width);
     const double *t = heat->run.history->temperature, *to = moved->run.history->temperature;
@@ -200,7 +201,76 @@ static void test_mirrors(void **state)
   differences(&options, mirror_moves, sizeof mirror_moves / sizeof mirror_moves[0]);
 }
 
-/* The same of walls in many facets, each of which sees others. */
+/* A bin's light of all mechanisms at an instant. */
+static double light_of(const struct um_optics_lightcurve *light, size_t i)
+{
+  double sum = 0.0;
+  for (size_t m = 0; m < UM_MECHANISM_COUNT; m++)
+    sum += light->spectral[i * UM_MECHANISM_COUNT + m];
+  return sum;
+}
+
+/* Light by temperatures alone, straight and by way of mirrors and walls, against light that is
+ * computed at temperatures on both sides. Paths are the same: they do not depend on temperatures.
+ */
+static void test_light(void **state)
+{
+  (void)state;
+  static const char *const overrides[] = {
+      "time.step_s=60", "time.exposure_s=0", "parts.bus.outside=fep_silver",
+      "parts.array.pose.position_m=[0, 1.4, 0]", "optics.interreflection_samples=16"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 5};
+  const struct moved power = {"internal_power", "bus", 0, NAN, 10.0, 1e-3};
+  struct world base = {0};
+  struct um_model_thermal_solution *heat, *moved[2];
+  struct um_model_thermal_sensitivity *s;
+  struct um_model_light_sensitivity *by_heat;
+  struct um_optics_lightcurve *light, *side[2], *linear;
+  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
+  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat), UM_OK);
+  struct world w = variant(&base, &power, 1e-2);
+  const struct um_model_thermal_move move = {w.model, w.tables, 1e-2};
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(um_model_light_sensitivity_create(context, s, &by_heat), UM_OK);
+  assert_int_equal(um_model_run_light(context, base.model, base.tables, heat, &light), UM_OK);
+  assert_int_equal(um_model_light_move(context, light, by_heat, 0, 1.0, &linear), UM_OK);
+  for (int k = 0; k < 2; k++) {
+    assert_int_equal(um_model_thermal_solution_move(context, heat, s, 0,
+                                                    k == 0 ? power.width : -power.width, base.model,
+                                                    base.tables, &moved[k]),
+                     UM_OK);
+    assert_int_equal(um_model_run_light(context, base.model, base.tables, moved[k], &side[k]),
+                     UM_OK);
+  }
+  double worst = 0.0, largest = 0.0, by_others = 0.0;
+  for (size_t i = 0; i < light->ntime * light->nbin; i++) {
+    double central = (light_of(side[0], i) - light_of(side[1], i)) / (2.0 * power.width);
+    size_t between = i * UM_MECHANISM_COUNT + UM_MECHANISM_INTERREFLECTED;
+    largest = fmax(largest, fabs(central));
+    worst = fmax(worst, fabs(light_of(linear, i) - light_of(light, i) - central));
+    by_others = fmax(by_others, fabs(side[0]->spectral[between] - side[1]->spectral[between]) /
+                                    (2.0 * power.width));
+  }
+  print_message("light by heat: off by %.1e of the largest; by way of others up to %.2g of it\n",
+                worst / largest, by_others / largest);
+  assert_true(by_others > 1e-3 * largest);
+  assert_true(worst <= 3e-4 * largest);
+  for (int k = 0; k < 2; k++) {
+    um_optics_lightcurve_destroy(context, &side[k]);
+    um_model_thermal_solution_destroy(context, &moved[k]);
+  }
+  um_optics_lightcurve_destroy(context, &linear);
+  um_optics_lightcurve_destroy(context, &light);
+  um_model_light_sensitivity_destroy(context, &by_heat);
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  world_release(&w);
+  world_release(&base);
+}
+
+/* Temperatures again, of walls in many facets, each of which sees others. */
 static void test_many_patches(void **state)
 {
   (void)state;
@@ -329,7 +399,8 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_differences),  cmocka_unit_test(test_mirrors),
-      cmocka_unit_test(test_many_patches), cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_left_to_runs), cmocka_unit_test(test_start_offset)};
+      cmocka_unit_test(test_many_patches), cmocka_unit_test(test_light),
+      cmocka_unit_test(test_refused),      cmocka_unit_test(test_left_to_runs),
+      cmocka_unit_test(test_start_offset)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

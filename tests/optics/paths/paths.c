@@ -41,8 +41,12 @@ static void bench_create(struct fixture *f, const struct um_optics_band *band, i
   um_optics_turn(b->spectra, &f->scene, &b->now, b->work);
   FIXTURE_OK(f, um_optics_photons_reserve(f->context, b->spectra, &b->scenes->posed[0], 1, 1,
                                           &b->photons));
-  b->paths = (struct um_optics_paths){b->spectra, &f->scene, &b->now, &b->scenes->posed[0],
-                                      b->work,    1,         NULL};
+  b->paths = (struct um_optics_paths){.spectra = b->spectra,
+                                      .scene = &f->scene,
+                                      .instant = &b->now,
+                                      .posed = &b->scenes->posed[0],
+                                      .work = b->work,
+                                      .factor = 1};
   um_optics_photons_trace(&b->paths, 0, &b->photons);
 }
 
