@@ -133,6 +133,11 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra study scenarios/envisat-graz-2016/study.yaml --check\n"
                  "umbra study scenarios/envisat-graz-2016/study.yaml --out out/cells --workers 2\n",
      .run = um_app_study},
+    {"sensitivity", "SCENARIO", "how light and temperatures move with every parameter of every effect",
+     .accepts = "out " CHANGES " only exclude data " RESULTS,
+     .about = "The matrix of derivatives.",
+     .examples = "umbra sensitivity scenarios/hidden-effect/dawn\n",
+     .run = um_app_sensitivity},
     {"diagnose", "SCENARIO MEASURED",
      "which physical effect the scenario lacks, or that the measurements cannot tell",
      .accepts = "out " CHANGES " only exclude nuisance level steps " RESULTS,

@@ -8,6 +8,28 @@
 
 #include "effects/effect.h"
 
+/* How a column was found. */
+enum um_sensitivity_way {
+  UM_SENSITIVITY_BY_NONE,    /* there is none: nothing changes, or the effect refuses */
+  UM_SENSITIVITY_BY_BEHIND,  /* acts on light that has left the satellite: differences of that */
+  UM_SENSITIVITY_BY_LIGHT,   /* heat stays: differences of light */
+  UM_SENSITIVITY_BY_TANGENT, /* heat by a sensitivity, light by differences along it */
+  UM_SENSITIVITY_BY_RUNS,    /* differences of runs whose heat is integrated anew */
+  UM_SENSITIVITY_BY_MOTION,  /* the same of runs whose geometry is traced anew, too */
+  UM_SENSITIVITY_BY_SWITCH,  /* no derivative: the whole change when it is turned on */
+  UM_SENSITIVITY_WAYS
+};
+
+/* What is known of a column that was taken as a derivative (derivative.c). */
+struct um_sensitivity_quality {
+  enum um_sensitivity_way way;
+  double step;  /* of the differences [parameter unit] */
+  double error; /* of the column, estimated, of its largest value [1]: in each channel of light, and
+                   in the temperatures together */
+  double reach; /* how far from its null value the linear answer leaves a hundredth of every curve's
+                   size, by what the longest step showed [parameter unit]; INFINITY: no bend seen */
+};
+
 struct um_sensitivity_candidate {
   char *name; /* "emittance:sphere_paint", "albedo"; owned */
   const struct um_effect *effect;
@@ -24,6 +46,8 @@ struct um_sensitivity_candidate {
    * physical */
   double minimum[UM_EFFECT_PARAMETERS_MAX], maximum[UM_EFFECT_PARAMETERS_MAX];
   double step[UM_EFFECT_PARAMETERS_MAX]; /* [ncolumn] taken for the difference, signed */
+  struct um_sensitivity_quality
+      quality[UM_EFFECT_PARAMETERS_MAX]; /* [effect's nparameter] of derivatives; else zero */
   /* [ncolumn][nobservation] d(model)/d(parameter) at the null value, linear unit per parameter
    * unit; of a switch the whole change when it is turned on */
   double *signature;

@@ -260,7 +260,10 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
 {
   enum um_status status;
   struct um_sensitivity_candidates *list = NULL;
-  struct um_sensitivity_point point = {forward, addition, naddition, NULL, 0.0};
+  struct um_sensitivity_point point = {.forward = forward,
+                                       .addition = addition,
+                                       .naddition = naddition,
+                                       .derivatives = options != NULL && options->derivatives};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *list, &list));
   list->nobservation = forward->observations.count;

@@ -27,6 +27,9 @@ struct um_sensitivity_candidates_options {
   const struct um_model_addition
       *wanted;    /* [nwanted] exactly these uses in their order, whatever */
   size_t nwanted; /* their targets and values; none: as said above */
+  /* Columns are derivatives, good to the error that is said of each: a thousandth where the model
+   * is smooth. Otherwise differences over a step that a fit takes, good to some per cent. */
+  bool derivatives;
 };
 
 /* Every effect of the model on every target it may have there (parts, sides, materials, bands, or

@@ -99,15 +99,14 @@ static double longer(const struct um_sensitivity_candidate *c, size_t which, dou
   return copysign(fmin(size, room), step);
 }
 
-/* Whether an effect acts on observations alone: it adds or scales, and is linear in its parameter.
- */
-static bool acts_behind(const struct um_effect *effect)
+/* It adds or scales, and is linear in its parameter, nearly. */
+bool um_sensitivity_acts_behind(const struct um_effect *effect)
 {
   return um_effects_reach(effect) == UM_REACH_OBSERVATION;
 }
 
-static enum um_status move(const struct um_sensitivity_mover *m, double step,
-                           struct um_sensitivity_change *change)
+enum um_status um_sensitivity_move(const struct um_sensitivity_mover *m, double step,
+                                   struct um_sensitivity_change *change)
 {
   double values[UM_EFFECT_PARAMETERS_MAX];
   const struct um_sensitivity_candidate *c = m->candidate;
@@ -116,7 +115,9 @@ static enum um_status move(const struct um_sensitivity_mover *m, double step,
   memcpy(values, m->at, c->effect->nparameter * sizeof *values);
   memcpy(of.at, values, c->effect->nparameter * sizeof *values);
   values[m->p] += step;
-  return um_sensitivity_step_to(m->context, m->point, c, values, &of, m->column, change);
+  UM_TRY(um_sensitivity_step_to(m->context, m->point, c, values, &of, m->column, change));
+  change->taken = step;
+  return UM_OK;
 }
 
 /* The first step; where that is refused (an observation would fall below the horizon, a factor pass
@@ -134,7 +135,7 @@ static enum um_status move_first(const struct um_sensitivity_mover *m, double *s
     if (i > 0 && !(at >= c->minimum[m->p] && at <= c->maximum[m->p])) continue;
     um_core_message_clear(m->context);
     *step = part[i] * first;
-    status = move(m, *step, change);
+    status = um_sensitivity_move(m, *step, change);
   }
   return status;
 }
@@ -148,10 +149,10 @@ static void divide(const struct um_sensitivity_mover *m, double step)
 static enum um_status go_longer(const struct um_sensitivity_mover *m, double more, double *step,
                                 struct um_sensitivity_change *change)
 {
-  enum um_status status = move(m, more, change);
+  enum um_status status = um_sensitivity_move(m, more, change);
   if (status == UM_ERR_REFUSED) { /* too far: what was before stands */
     um_core_message_clear(m->context);
-    return move(m, *step, change);
+    return um_sensitivity_move(m, *step, change);
   }
   UM_TRY(status);
   *step = more;
@@ -165,10 +166,11 @@ enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *m, d
   double more = longer(m->candidate, m->p, m->at[m->p], *step, change, m->point->noise);
   double factor = more / *step;
   if (factor > 1.0 && !change->smooth) UM_TRY(go_longer(m, more, step, change));
-  if (change->rms > UM_SENSITIVITY_FAR && !acts_behind(m->candidate->effect)) {
+  if (change->rms > UM_SENSITIVITY_FAR && !m->point->derivatives &&
+      !um_sensitivity_acts_behind(m->candidate->effect)) {
     *step /= UM_SENSITIVITY_SHORTER;
     factor = 1.0;
-    UM_TRY(move(m, *step, change));
+    UM_TRY(um_sensitivity_move(m, *step, change));
   }
   divide(m, *step);
   if (factor > 1.0 && change->smooth) {

@@ -14,6 +14,7 @@ struct um_sensitivity_point {
   const double *base; /* [nobservation] values with the additions */
   double noise; /* largest change of an observation, in its sigma, that a new integration of the
                    same heat makes */
+  bool derivatives; /* columns are derivatives, with their errors, not differences for a fit */
 };
 
 /* Changes of the observations that one step makes. */
@@ -22,6 +23,7 @@ struct um_sensitivity_change {
   double length;       /* root of their chi-square */
   bool fresh;          /* heat differs: integrated anew, with its noise .. */
   bool smooth;         /* .. or found by a sensitivity, without */
+  double taken;        /* the step that makes them [parameter unit] */
 };
 
 /* Change of the observations when the candidate has these values [nparameter]; difference:
@@ -46,10 +48,20 @@ struct um_sensitivity_mover {
   size_t p;
   double *column; /* [nobservation] the derivative */
 };
+/* Changes of the observations into the column when the parameter moves by a step. */
+enum um_status um_sensitivity_move(const struct um_sensitivity_mover *mover, double step,
+                                   struct um_sensitivity_change *change);
+/* Does an effect act on observations alone? */
+bool um_sensitivity_acts_behind(const struct um_effect *effect);
 /* The derivative, by a difference that begins with *step. Out: a step that a fit may take, whose
  * change stands above the noise of an integration, and that change. */
 enum um_status um_sensitivity_difference(const struct um_sensitivity_mover *mover, double *step,
                                          struct um_sensitivity_change *change);
+/* The same, and where the change is seen the column is a derivative of that quality; without
+ * point->derivatives nothing more, and quality stays. (derivative.c) */
+enum um_status um_sensitivity_derivative(const struct um_sensitivity_mover *mover, double *step,
+                                         struct um_sensitivity_change *change,
+                                         struct um_sensitivity_quality *quality);
 /* Whether a change is seen above the noise of an integration. */
 bool um_sensitivity_alive(const struct um_sensitivity_change *change, double noise);
 /* Whether nothing changes at all. */

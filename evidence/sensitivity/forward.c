@@ -57,9 +57,7 @@ static enum um_status gather(struct um_context *context,
 
 struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward)
 {
-  return (struct um_variant_heat){
-      .start = UM_VARIANT_WARM,
-      .tolerance = {forward->tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE}};
+  return (struct um_variant_heat){.start = UM_VARIANT_WARM, .tolerance = forward->tolerance};
 }
 
 /* Heat of a move whose answer is known is extrapolated by it. */
@@ -270,13 +268,22 @@ enum um_status um_sensitivity_forward_create(struct um_context *context, const c
                                              double tolerance_factor,
                                              struct um_sensitivity_forward **out)
 {
+  const struct um_variant_tolerance tolerance = {tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE};
+  return um_sensitivity_forward_create_near(context, path, options, measurements, tolerance, out);
+}
+
+enum um_status um_sensitivity_forward_create_near(
+    struct um_context *context, const char *path, const struct um_model_options *options,
+    const struct um_compare_measurements *measurements, struct um_variant_tolerance tolerance,
+    struct um_sensitivity_forward **out)
+{
   enum um_status status;
   struct um_sensitivity_forward *f = NULL;
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *f, &f));
   UM_CHECK(um_core_allocate(context, 1, sizeof *f->cache, &f->cache));
   f->measurements = measurements;
-  f->tolerance_factor = tolerance_factor;
+  f->tolerance = tolerance;
   f->cache->noise = NAN;
   if (options != NULL) f->options = *options;
   UM_CHECK(um_core_snapshot_begin(context));

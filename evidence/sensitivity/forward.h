@@ -11,7 +11,7 @@ struct um_sensitivity_forward {
   bool holds_files; /* everything is built from what was read first */
   const struct um_compare_measurements *measurements; /* borrowed */
   struct um_model_options options;                    /* the user's; texts borrowed */
-  double tolerance_factor; /* factor on the tolerances of the heat integration */
+  struct um_variant_tolerance tolerance; /* of heat, of every evaluation */
   struct um_model *model;  /* the scenario as it stands; of the base, too */
   struct um_compare_plan *plan;
   struct um_model_instants instants;      /* of the plan */
@@ -45,6 +45,11 @@ enum um_status um_sensitivity_forward_create(struct um_context *context, const c
                                              const struct um_compare_measurements *measurements,
                                              double tolerance_factor,
                                              struct um_sensitivity_forward **out);
+/* The same with a tolerance of the periodic state, too. */
+enum um_status um_sensitivity_forward_create_near(
+    struct um_context *context, const char *path, const struct um_model_options *options,
+    const struct um_compare_measurements *measurements, struct um_variant_tolerance tolerance,
+    struct um_sensitivity_forward **out);
 void um_sensitivity_forward_destroy(struct um_context *context,
                                     struct um_sensitivity_forward **forward);
 

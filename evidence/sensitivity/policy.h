@@ -26,6 +26,28 @@
 /* rms change from which on a step is far from a derivative [sigma]. LAB. */
 #define UM_SENSITIVITY_FAR 30.0
 
+/* ---- derivatives (derivative.c) ---- */
+
+/* Of the first step, where nothing is integrated anew [1]: a thousandth of a prior width or so.
+ * Numbers carry 16 digits, and a bend over the first step is a ten-thousandth over this. */
+#define UM_SENSITIVITY_SMALL 1e-2
+/* Noise of an integration that a derivative has, of its largest value [1]. */
+#define UM_SENSITIVITY_NOISE_SHARE 2e-4
+/* An error that is small enough [1]: a thousandth is promised. */
+#define UM_SENSITIVITY_GOOD 3e-4
+/* An error that says that there is no derivative [1]. */
+#define UM_SENSITIVITY_BROKEN 0.05
+/* Channels count from this share of the largest change [1, in sigma]. */
+#define UM_SENSITIVITY_COUNTS 1e-2
+/* Divides a step whose bend is too large, where runs are differenced [1], and how often. */
+#define UM_SENSITIVITY_CLOSER 4.0
+#define UM_SENSITIVITY_TRIES  3
+/* What a line leaves of a change that is no bend [1]: noise of derivatives. */
+#define UM_SENSITIVITY_STRAIGHT 1e-5
+/* What a line may leave where it is called good [sigma]: a hundredth of a curve, since sigma is a
+ * thousandth of its size (own.h). */
+#define UM_SENSITIVITY_LINEAR 10.0
+
 /* ---- who is alive ---- */
 
 /* Root of the chi-square of all observations [sigma], at the furthest plausible value, that no

@@ -19,6 +19,7 @@ static enum um_status make_switch(struct um_context *context,
   c->step[0] = 1.0;
   UM_TRY(um_sensitivity_step_to(context, point, c, c->null_value, NULL, c->signature, &change));
   c->insensitive = !um_sensitivity_alive(&change, point->noise);
+  c->quality[0] = (struct um_sensitivity_quality){.way = UM_SENSITIVITY_BY_SWITCH, .step = 1.0};
   return UM_OK;
 }
 
@@ -34,7 +35,7 @@ static enum um_status make_columns(struct um_context *context,
     double step = um_sensitivity_first_step(c, p, at[p]);
     double *column = c->signature + c->ncolumn * n;
     const struct um_sensitivity_mover mover = {context, point, c, at, p, column};
-    UM_TRY(um_sensitivity_difference(&mover, &step, &change));
+    UM_TRY(um_sensitivity_derivative(&mover, &step, &change, &c->quality[p]));
     if (!um_sensitivity_alive(&change, point->noise)) continue;
     c->parameter[c->ncolumn] = p;
     c->step[c->ncolumn++] = step;
@@ -88,7 +89,7 @@ static enum um_status find_amplitude(struct um_context *context,
       continue; /* a change by the noise of an integration is not nothing */
     double step = um_sensitivity_first_step(c, p, at[p]);
     const struct um_sensitivity_mover mover = {context, point, c, at, p, c->signature};
-    UM_TRY(um_sensitivity_difference(&mover, &step, &change));
+    UM_TRY(um_sensitivity_derivative(&mover, &step, &change, &c->quality[p]));
     if (!um_sensitivity_alive(&change, point->noise)) continue;
     memcpy(c->null_value, at, n * sizeof *at);
     c->ncolumn = 1;
@@ -154,7 +155,8 @@ enum um_status um_sensitivity_signature_renew(struct um_context *context,
     double *column = c->signature + k * n;
     const struct um_sensitivity_mover mover = {context,       point,           c,
                                                c->null_value, c->parameter[k], column};
-    UM_TRY(um_sensitivity_difference(&mover, &c->step[k], &change));
+    UM_TRY(um_sensitivity_derivative(&mover, &c->step[k], &change,
+                                     &c->quality[c->parameter[k]]));
   }
   return UM_OK;
 }

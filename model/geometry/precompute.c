@@ -127,6 +127,24 @@ static enum um_status check_times(struct um_context *context, const double *time
   return UM_OK;
 }
 
+enum um_status um_model_hidden_at(struct um_context *context, const struct um_model *model,
+                                  const double *times, size_t count, bool **hidden)
+{
+  enum um_status status;
+  struct um_model_tables *tables = NULL;
+  *hidden = NULL;
+  UM_CHECK(um_model_check_track(context, model));
+  UM_CHECK(check_times(context, times, count));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *tables, &tables));
+  UM_CHECK(trace_observations(context, model, times, NULL, count, tables));
+  UM_CHECK(um_model_tables_hide(context, model, tables));
+  *hidden = tables->hidden;
+  tables->hidden = NULL;
+done:
+  um_model_tables_destroy(context, &tables);
+  return status;
+}
+
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_precompute_plan *out)

@@ -23,6 +23,11 @@ struct um_model_instants {
  * frees *times. UM_ERR_MEMORY. */
 enum um_status um_model_scenario_times(struct um_context *context, const struct um_model *model,
                                        double **times, size_t *count);
+/* Which of these observations [count], with the scenario's exposures, the observer cannot see;
+ * nothing is traced. None where there is no observer. *hidden: [count], the caller frees. Errors of
+ * um_model_precompute_at. */
+enum um_status um_model_hidden_at(struct um_context *context, const struct um_model *model,
+                                  const double *times, size_t count, bool **hidden);
 /* Over the scenario's own window. UM_ERR_INPUT; the caller destroys. */
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
                                    struct um_model_tables **out);
