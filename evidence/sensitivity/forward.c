@@ -144,6 +144,62 @@ enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,
   return evaluate_timed(context, forward, &a, 1, move, value);
 }
 
+/* Have heat and light of a variant the shape that those of the scenario have? */
+static bool is_like(const struct um_variant *a, const struct um_variant *b)
+{
+  return um_geometry_mesh(a->model->geometry)->nsurface ==
+             um_geometry_mesh(b->model->geometry)->nsurface &&
+         um_thermal_network_nodes(a->model->body->network) ==
+             um_thermal_network_nodes(b->model->body->network) &&
+         a->tables->nobs == b->tables->nobs && a->tables->nsub == b->tables->nsub;
+}
+
+static enum um_status evaluate_part(struct um_context *context,
+                                    struct um_sensitivity_forward *forward,
+                                    const struct um_model_addition *addition, bool held,
+                                    bool *apart, double *value)
+{
+  enum um_status status;
+  const struct um_model_changes changes = {.addition = addition, .naddition = 1};
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  struct um_variant v = {0}, mixed = forward->base;
+  UM_CHECK(um_variant_open(context, forward->evaluator, &changes, NULL, &v));
+  *apart = is_like(&forward->base, &v);
+  if (!*apart) goto done;
+  if (held) {
+    mixed = v;
+    mixed.heat = forward->base.heat;
+  } else {
+    UM_CHECK(um_variant_find_heat(context, forward->evaluator, &heat, &v));
+    note_heat(forward, &v, &heat);
+    mixed.heat = v.heat;
+  }
+  UM_CHECK(predict(context, forward, &mixed));
+  UM_CHECK(gather(context, forward, value));
+done:
+  um_variant_close(context, &v);
+  return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
+}
+
+enum um_status um_sensitivity_forward_evaluate_part(struct um_context *context,
+                                                    struct um_sensitivity_forward *forward,
+                                                    const struct um_model_addition *addition,
+                                                    enum um_sensitivity_part part, bool *apart,
+                                                    double *value)
+{
+  double begin = omp_get_wtime();
+  *apart = true;
+  if (part == UM_SENSITIVITY_WHOLE)
+    return um_sensitivity_forward_evaluate(context, forward, addition, 1, value);
+  um_core_quiet_begin(context);
+  enum um_status status =
+      evaluate_part(context, forward, addition, part == UM_SENSITIVITY_HELD, apart, value);
+  um_core_quiet_end(context);
+  forward->evaluations++;
+  forward->seconds += omp_get_wtime() - begin;
+  return status;
+}
+
 static enum um_status repeat(struct um_context *context, struct um_sensitivity_forward *forward,
                              double *value)
 {

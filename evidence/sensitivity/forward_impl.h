@@ -26,4 +26,20 @@ enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,
                                                     struct um_sensitivity_forward *forward,
                                                     const struct um_sensitivity_move *move,
                                                     double *value);
+
+/* What of a variant is moved, by the chain rule dm/dp = dm/dp at given temperatures + dm/dT dT/dp.
+ */
+enum um_sensitivity_part {
+  UM_SENSITIVITY_WHOLE,
+  UM_SENSITIVITY_HELD, /* everything but temperatures, which are those of the scenario */
+  UM_SENSITIVITY_HEAT  /* temperatures alone */
+};
+/* um_sensitivity_forward_evaluate of one addition, of a part of it. *apart: it can be taken apart,
+ * as it has the scenario's surfaces, nodes and instants; without that nothing is evaluated. Of
+ * the whole always true. */
+enum um_status um_sensitivity_forward_evaluate_part(struct um_context *context,
+                                                    struct um_sensitivity_forward *forward,
+                                                    const struct um_model_addition *addition,
+                                                    enum um_sensitivity_part part, bool *apart,
+                                                    double *value);
 #endif

@@ -39,9 +39,13 @@
 #define UM_SENSITIVITY_BROKEN 0.05
 /* Channels count from this share of the largest change [1, in sigma]. */
 #define UM_SENSITIVITY_COUNTS 1e-2
-/* Divides a step whose bend is too large, where runs are differenced [1], and how often. */
+/* Divides a step whose error is too large, where runs are differenced [1], and how many are tried.
+ */
 #define UM_SENSITIVITY_CLOSER 4.0
-#define UM_SENSITIVITY_TRIES  3
+#define UM_SENSITIVITY_TRIES  4
+/* Of the difference of slopes over two steps, what the shorter one may still have [1]: a sixteenth
+ * where the model is smooth. */
+#define UM_SENSITIVITY_AGREES 0.25
 /* What a line leaves of a change that is no bend [1]: noise of derivatives. */
 #define UM_SENSITIVITY_STRAIGHT 1e-5
 /* What a line may leave where it is called good [sigma]: a hundredth of a curve, since sigma is a

@@ -68,8 +68,8 @@ static enum um_status options_check(struct um_context *context,
   if (!(options->absolute_tolerance > 0.0) || !isfinite(options->absolute_tolerance))
     return um_core_fail(context, UM_ERR_INPUT, "absolute tolerance %g K; accepted: more than 0",
                         options->absolute_tolerance);
-  if (!(options->tolerance_factor >= 1.0) || !isfinite(options->tolerance_factor))
-    return um_core_fail(context, UM_ERR_INPUT, "factor on tolerances %g; accepted: 1 or more",
+  if (!(options->tolerance_factor > 0.0) || !isfinite(options->tolerance_factor))
+    return um_core_fail(context, UM_ERR_INPUT, "factor on tolerances %g; accepted: more than 0",
                         options->tolerance_factor);
   if (!(options->space_temperature >= 0.0) || !isfinite(options->space_temperature))
     return um_core_fail(context, UM_ERR_INPUT, "space temperature %g K; accepted: 0 or more",
