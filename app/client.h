@@ -63,7 +63,10 @@ struct um_app_options {
   /* of diagnose and fit: --only, --exclude, --nuisance, --add, --level, --steps */
   const char **only, **exclude, **nuisance, **add;
   size_t nonly, nexclude, nnuisance, nadd;
-  const char *data; /* of sensitivity: --data */
+  const char **what_if; /* of sensitivity: --what-if, --data, --elasticity */
+  size_t nwhat_if;
+  bool elasticity;
+  const char *data;
   double level;                                      /* 0: not said */
   int steps;                                         /* 0: not said */
   const char *from_brdf, *half_angle, *from_profile; /* of materials */
@@ -181,7 +184,7 @@ um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_c
     um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
     um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
     um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
-    um_app_sensitivity,
-    um_app_synth, um_app_validate, um_app_schema, um_app_completion, um_app_help_command;
+    um_app_sensitivity, um_app_synth, um_app_validate, um_app_schema, um_app_completion,
+    um_app_help_command;
 
 #endif

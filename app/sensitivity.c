@@ -2,6 +2,7 @@
 #include "app/sensitivity.h"
 
 #include "app/terminal.h"
+#include "evidence/diagnosis/request.h"
 #include "evidence/measurements/measurements.h"
 #include "evidence/sensitivity/own.h"
 #include "model/build/build.h"
@@ -10,7 +11,10 @@ struct work {
   struct um_model_options changes; /* of the scenario; the forward borrows it */
   struct um_compare_measurements *set;
   struct um_sensitivity_forward *forward;
+  struct um_diagnosis_request *request; /* [nwhat_if] of each --what-if */
   struct um_sensitivity_matrix *matrix;
+  struct um_sensitivity_what_if *what_if; /* [nwhat_if] */
+  size_t nwhat_if;
   struct um_core_folder *folder;
   char *out;
 };
@@ -28,35 +32,87 @@ static enum um_status find_set(struct um_context *context, const struct um_app_o
   return status;
 }
 
-static enum um_status sensitivity(struct um_context *context, const struct um_app_options *options,
-                                  struct work *work)
+static enum um_status read_what_ifs(struct um_context *context,
+                                    const struct um_app_options *options, struct work *work)
+{
+  work->nwhat_if = options->nwhat_if;
+  UM_TRY(um_core_allocate(context, work->nwhat_if, sizeof *work->request, &work->request));
+  UM_TRY(um_core_allocate(context, work->nwhat_if, sizeof *work->what_if, &work->what_if));
+  for (size_t i = 0; i < work->nwhat_if; i++) {
+    const struct um_diagnosis_request_texts texts = {
+        .wanted = &options->what_if[i], .nwanted = 1, .option = "--what-if"};
+    UM_TRY(um_diagnosis_request_make(context, work->forward->model, &texts, &work->request[i]));
+  }
+  return UM_OK;
+}
+
+static enum um_status begin(struct um_context *context, const struct um_app_options *options,
+                            struct work *work)
+{
+  um_app_terminal_progress_in_pipes(); /* it may take minutes, and its tables come at the end */
+  work->changes = um_app_model_options(options);
+  UM_TRY(find_set(context, options, work));
+  UM_TRY(um_sensitivity_forward_create_near(context, options->positional[0], &work->changes,
+                                            work->set, UM_SENSITIVITY_MATRIX_TOLERANCE,
+                                            &work->forward));
+  UM_TRY(read_what_ifs(context, options, work));
+  UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
+  return um_core_folder_begin(context, work->out, options->force, &work->folder);
+}
+
+static enum um_status compute(struct um_context *context, const struct um_app_options *options,
+                              struct work *work)
 {
   const struct um_sensitivity_candidates_options which = {.only = options->only,
                                                           .nonly = options->nonly,
                                                           .exclude = options->exclude,
                                                           .nexclude = options->nexclude};
-  work->changes = um_app_model_options(options);
-  UM_TRY(find_set(context, options, work));
-  UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes, work->set,
-                                       1.0, &work->forward));
-  UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
-  UM_TRY(um_core_folder_begin(context, work->out, options->force, &work->folder));
   UM_TRY(um_sensitivity_matrix_create(context, work->forward, options->data == NULL, &which,
                                       &work->matrix));
+  for (size_t i = 0; i < work->nwhat_if; i++) {
+    enum um_status status = um_sensitivity_what_if_create(
+        context, work->matrix, &work->request[i].wanted[0], &work->what_if[i]);
+    if (status != UM_OK) um_core_message_prefix(context, "--what-if %s", options->what_if[i]);
+    UM_TRY(status);
+  }
+  return UM_OK;
+}
+
+static enum um_status finish(struct um_context *context, const struct um_app_options *options,
+                             struct work *work)
+{
+  const struct um_sensitivity_report report = {.matrix = work->matrix,
+                                               .elasticity = options->elasticity,
+                                               .what_if = work->what_if,
+                                               .nwhat_if = work->nwhat_if,
+                                               .command = options->command,
+                                               .version = UM_APP_VERSION};
+  UM_TRY(um_sensitivity_report_write(context, &report, work->folder));
+  if (!options->no_plots)
+    UM_TRY(um_sensitivity_report_plot(context, work->matrix, um_core_folder_path(work->folder)));
   UM_TRY(um_core_folder_commit(context, &work->folder));
   um_app_terminal_clear();
-  um_app_sensitivity_print(work->matrix, work->out);
+  if (options->json)
+    um_sensitivity_report_write_json(&report, stdout);
+  else
+    um_app_sensitivity_print(&report, work->out);
   return UM_OK;
 }
 
 int um_app_sensitivity(struct um_context *context, const struct um_app_options *options)
 {
   struct work work = {.out = NULL};
-  enum um_status status = sensitivity(context, options, &work);
+  enum um_status status = begin(context, options, &work);
+  if (status == UM_OK) status = compute(context, options, &work);
+  if (status == UM_OK) status = finish(context, options, &work);
   um_core_folder_abort(&work.folder);
+  for (size_t i = 0; i < work.nwhat_if; i++) {
+    if (work.what_if != NULL) um_sensitivity_what_if_release(context, &work.what_if[i]);
+    if (work.request != NULL) um_diagnosis_request_release(context, &work.request[i]);
+  }
   um_sensitivity_matrix_destroy(context, &work.matrix);
   um_sensitivity_forward_destroy(context, &work.forward);
   um_compare_measurements_destroy(context, &work.set);
-  um_core_free(context, work.out);
+  UM_FREE(context, work.what_if, work.request, work.out);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -3,10 +3,9 @@
 #define UMBRA_APP_SENSITIVITY_H
 
 #include "app/app.h"
-#include "base/core/file.h"
-#include "evidence/sensitivity/matrix.h"
+#include "evidence/sensitivity/report/write.h"
 
 /* The tables for a person (sensitivity_print.c). */
-void um_app_sensitivity_print(const struct um_sensitivity_matrix *matrix, const char *folder);
+void um_app_sensitivity_print(const struct um_sensitivity_report *report, const char *folder);
 
 #endif

@@ -133,10 +133,15 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra study scenarios/envisat-graz-2016/study.yaml --check\n"
                  "umbra study scenarios/envisat-graz-2016/study.yaml --out out/cells --workers 2\n",
      .run = um_app_study},
-    {"sensitivity", "SCENARIO", "how light and temperatures move with every parameter of every effect",
-     .accepts = "out " CHANGES " only exclude data " RESULTS,
-     .about = "The matrix of derivatives.",
-     .examples = "umbra sensitivity scenarios/hidden-effect/dawn\n",
+    {"sensitivity", "SCENARIO",
+     "how light and temperatures move with every parameter of every effect",
+     .accepts = "out " CHANGES " only exclude data what-if elasticity " RESULTS,
+     .about = "The matrix of derivatives of every band and place at every instant, each with its "
+              "error: a table of the largest effects and who leads in each minute, "
+              "sensitivity.nc, parameters.csv, sensitivity.csv and a picture.",
+     .examples = "umbra sensitivity scenarios/hidden-effect/dawn\n"
+                 "umbra sensitivity scenarios/hidden-effect/dawn --only emittance --what-if "
+                 "emittance:mli,emittance_factor=1.1\n",
      .run = um_app_sensitivity},
     {"diagnose", "SCENARIO MEASURED",
      "which physical effect the scenario lacks, or that the measurements cannot tell",

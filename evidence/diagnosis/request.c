@@ -219,7 +219,8 @@ enum um_status um_diagnosis_request_make(struct um_context *context, const struc
   UM_TRY(take_scenario(context, model, out));
   UM_TRY(take_texts(context, model, out, "--nuisance", take_nuisance, texts->nuisance,
                     texts->nnuisance));
-  UM_TRY(take_texts(context, model, out, "--add", take_wanted, texts->wanted, texts->nwanted));
+  UM_TRY(take_texts(context, model, out, texts->option != NULL ? texts->option : "--add",
+                    take_wanted, texts->wanted, texts->nwanted));
   for (size_t i = 0; i < texts->nexclude; i++) UM_TRY(add_exclude(context, out, texts->exclude[i]));
   return UM_OK;
 }

@@ -26,6 +26,7 @@ struct um_diagnosis_request {
 struct um_diagnosis_request_texts {
   const char *const *nuisance, *const *exclude, *const *wanted;
   size_t nnuisance, nexclude, nwanted;
+  const char *option; /* that `wanted` came by, for messages; NULL: --add */
 };
 enum um_status um_diagnosis_request_make(struct um_context *context, const struct um_model *model,
                                          const struct um_diagnosis_request_texts *texts,

@@ -27,7 +27,8 @@ struct um_sensitivity_quality {
   double error; /* of the column, estimated, of its largest value [1]: in each channel of light, and
                    in the temperatures together */
   double reach; /* how far from its null value the linear answer leaves a hundredth of every curve's
-                   size, by what the longest step showed [parameter unit]; INFINITY: no bend seen */
+                   size, by what the first step showed [parameter unit]; INFINITY: no bend seen;
+                   NaN: not known, since no heat was integrated for it */
 };
 
 struct um_sensitivity_candidate {

@@ -7,7 +7,8 @@
  * of which the error is h^2 m'''/6 or h^2 m'''/12. m''' is not known; the bend over the step,
  * e = h m''/(2 m'), is, and what bends over a length L has m''' h^2/m' of the order of e^2. That is
  * the error that is said. Where lines of sight move, it also has to agree with what a longer step
- * said, since a facet's points are shaded one by one.
+ * said, since a facet's points are shaded one by one; so has what acts behind the satellite, which
+ * costs nothing, and where a power law may have no derivative at 0.
  *
  * The first step (difference.c) tells whether anything changes, and how far a line through the null
  * value is good. Where no heat is integrated anew there is no noise but that of numbers, and a
@@ -28,14 +29,16 @@ struct work {
   const struct um_sensitivity_mover *m;
   const struct um_sensitivity_change *first; /* that the first step made */
   enum um_sensitivity_part part;
-  bool noisy, moving; /* heat is integrated anew in it, lines of sight move */
-  bool apart;         /* it could be taken */
+  bool noisy;  /* heat is integrated anew in it */
+  bool moving; /* its slopes are held against each other: lines of sight move, or a law may have no
+                  derivative at 0 */
+  bool apart;  /* it could be taken */
   size_t ngroup;
   double *far, *near, *slope, *before; /* [nobservation] */
   double *column;                      /* [nobservation] the best so far */
   double *error;                       /* [ngroup] of it, of the largest value of the group */
   bool known, agreed; /* `before` has slopes; those of the column were held against such */
-  double step;                         /* of the last that was the best somewhere */
+  double step;        /* of the last that was the best somewhere */
 };
 
 /* --- norms ------------------------------------------------------------------------------------ */
@@ -77,8 +80,7 @@ static double error_of(const struct um_sensitivity_forward *f, const double *col
   double seen = 0.0, worst = 0.0;
   for (size_t g = 0; g < ngroup; g++) seen = fmax(seen, size_of(f, g, column, NULL).of_sigma);
   for (size_t g = 0; g < ngroup; g++)
-    if (seen > 0.0 &&
-        size_of(f, g, column, NULL).of_sigma >= UM_SENSITIVITY_COUNTS * seen)
+    if (seen > 0.0 && size_of(f, g, column, NULL).of_sigma >= UM_SENSITIVITY_COUNTS * seen)
       worst = fmax(worst, error[g]);
   return worst;
 }
@@ -126,8 +128,8 @@ static double judge(const struct work *w, size_t group, double bend, double step
   if (!(size.value > 0.0)) return 0.0;
   if (w->noisy) error += w->m->point->noise / (size.of_sigma * fabs(step));
   if (!w->moving || !w->known) return error;
-  return fmax(error, UM_SENSITIVITY_AGREES * size_of(f, group, w->slope, w->before).value /
-                         size.value);
+  return fmax(error,
+              UM_SENSITIVITY_AGREES * size_of(f, group, w->slope, w->before).value / size.value);
 }
 
 /* The derivative over a step, and groups of the column that it is better for. *better: any. */
@@ -195,9 +197,9 @@ static enum um_status differentiate(struct work *w)
 {
   const struct um_sensitivity_mover *m = w->m;
   bool rough = w->noisy || w->moving;
-  double first = w->noisy    ? above_noise(m, w->first)
-                 : w->moving ? w->first->taken / UM_SENSITIVITY_CLOSER
-                             : w->first->taken * UM_SENSITIVITY_SMALL;
+  double first = w->noisy ? above_noise(m, w->first)
+                 : rough  ? w->first->taken / UM_SENSITIVITY_CLOSER
+                          : w->first->taken * UM_SENSITIVITY_SMALL;
   double factor = rough ? UM_SENSITIVITY_CLOSER : UM_SENSITIVITY_SHORTER, step = first;
   memset(w->column, 0, m->point->forward->observations.count * sizeof *w->column);
   for (size_t g = 0; g < w->ngroup; g++) w->error[g] = INFINITY;
@@ -209,7 +211,7 @@ static enum um_status differentiate(struct work *w)
     bool once = w->moving && i == 0; /* nothing to agree with yet */
     if (!once && error_of(m->point->forward, w->column, w->error) <= UM_SENSITIVITY_GOOD)
       return UM_OK;
-    if (!better && (w->noisy || factor < 1.0)) return UM_OK;
+    if (!better && ((w->noisy && !once) || factor < 1.0)) return UM_OK;
     if (!better && !w->moving) {
       factor = 1.0 / factor;
       step = first;
@@ -225,7 +227,6 @@ static enum um_status differentiate_apart(struct work *w, double *heat)
 {
   const struct um_sensitivity_forward *f = w->m->point->forward;
   size_t n = f->observations.count;
-  const bool moving = w->moving;
   double *column = w->column, *error = w->error;
   w->noisy = false;
   w->part = UM_SENSITIVITY_HELD;
@@ -235,7 +236,6 @@ static enum um_status differentiate_apart(struct work *w, double *heat)
   w->error = heat + n;
   w->part = UM_SENSITIVITY_HEAT;
   w->noisy = true;
-  w->moving = false;
   enum um_status status = differentiate(w);
   for (size_t g = 0; g < w->ngroup; g++) {
     double a = size_of(f, g, column, NULL).value, b = size_of(f, g, heat, NULL).value;
@@ -247,7 +247,6 @@ static enum um_status differentiate_apart(struct work *w, double *heat)
   }
   w->column = column;
   w->error = error;
-  w->moving = moving;
   return status;
 }
 
@@ -258,6 +257,7 @@ static double reach_of(const struct um_sensitivity_mover *m, const double *first
 {
   const struct um_sensitivity_forward *f = m->point->forward;
   double worst = 0.0;
+  if (change->smooth) return NAN;
   for (size_t j = 0; j < f->observations.count; j++) {
     double left = fabs(first[j] - change->taken * m->column[j]);
     worst = fmax(worst, left / f->observations.sigma[j]);
@@ -307,11 +307,12 @@ enum um_status um_sensitivity_derivative(const struct um_sensitivity_mover *m, d
   q->way = way_of(m, change);
   UM_TRY(um_core_allocate(m->context, 6 * n + 2 * w.ngroup, sizeof *blocks, &blocks));
   for (size_t j = 0; j < n; j++) blocks[j] = m->column[j] * change->taken;
-  w.moving = q->way == UM_SENSITIVITY_BY_MOTION;
+  w.moving = q->way == UM_SENSITIVITY_BY_MOTION || q->way == UM_SENSITIVITY_BY_BEHIND;
   enum um_status status = differentiate_in(&w, blocks);
   if (status == UM_OK) {
     q->step = w.step;
     q->error = error_of(f, m->column, w.error);
+    if (change->smooth) q->error = fmax(q->error, UM_SENSITIVITY_TANGENT);
     q->reach = reach_of(m, blocks, change);
   }
   um_core_free(m->context, blocks);

@@ -12,8 +12,8 @@ struct um_sensitivity_point {
   const struct um_model_addition *addition; /* [naddition] */
   size_t naddition;
   const double *base; /* [nobservation] values with the additions */
-  double noise; /* largest change of an observation, in its sigma, that a new integration of the
-                   same heat makes */
+  double noise;     /* largest change of an observation, in its sigma, that a new integration of the
+                       same heat makes */
   bool derivatives; /* columns are derivatives, with their errors, not differences for a fit */
 };
 

@@ -11,8 +11,8 @@ struct um_sensitivity_forward {
   bool holds_files; /* everything is built from what was read first */
   const struct um_compare_measurements *measurements; /* borrowed */
   struct um_model_options options;                    /* the user's; texts borrowed */
-  struct um_variant_tolerance tolerance; /* of heat, of every evaluation */
-  struct um_model *model;  /* the scenario as it stands; of the base, too */
+  struct um_variant_tolerance tolerance;              /* of heat, of every evaluation */
+  struct um_model *model; /* the scenario as it stands; of the base, too */
   struct um_compare_plan *plan;
   struct um_model_instants instants;      /* of the plan */
   struct um_variant_evaluator *evaluator; /* of the model at the plan's instants */

@@ -16,8 +16,8 @@
 
 const char *um_sensitivity_way_name(enum um_sensitivity_way way)
 {
-  static const char *const name[UM_SENSITIVITY_WAYS] = {
-      "none", "behind", "light", "tangent", "runs", "motion", "switch"};
+  static const char *const name[UM_SENSITIVITY_WAYS] = {"none", "behind", "light", "tangent",
+                                                        "runs", "motion", "switch"};
   return way < UM_SENSITIVITY_WAYS ? name[way] : "none";
 }
 
@@ -123,10 +123,9 @@ static enum um_status add_row(struct um_context *context, struct um_sensitivity_
     row->null_value = 0.0;
     row->width = 1.0;
     row->quality = c->quality[0];
-    UM_TRY(c->effect->nparameter > 0
-               ? um_core_asprintf(context, &row->name, "%s.%s=%g", c->name,
-                                  c->effect->parameters[0].name, value)
-               : um_core_strdup(context, c->name, &row->name));
+    UM_TRY(c->effect->nparameter > 0 ? um_core_asprintf(context, &row->name, "%s.%s=%g", c->name,
+                                                        c->effect->parameters[0].name, value)
+                                     : um_core_strdup(context, c->name, &row->name));
   } else {
     const struct um_effect_parameter *of = &c->effect->parameters[p];
     row->unit = of->unit;
@@ -186,10 +185,10 @@ static enum um_status make_rows(struct um_context *context, struct um_sensitivit
 
 /* --- life ------------------------------------------------------------------------------------- */
 
-enum um_status
-um_sensitivity_matrix_create(struct um_context *context, struct um_sensitivity_forward *forward,
-                             bool own, const struct um_sensitivity_candidates_options *options,
-                             struct um_sensitivity_matrix **out)
+enum um_status um_sensitivity_matrix_create(struct um_context *context,
+                                            struct um_sensitivity_forward *forward, bool own,
+                                            const struct um_sensitivity_candidates_options *options,
+                                            struct um_sensitivity_matrix **out)
 {
   enum um_status status;
   struct um_sensitivity_matrix *m = NULL;
@@ -236,8 +235,7 @@ double um_sensitivity_matrix_strength(const struct um_sensitivity_matrix *m,
 {
   double most = 0.0;
   if (row->column == NULL || !(m->curve[curve].size > 0.0)) return 0.0;
-  for (size_t k = 0; k < m->ntime; k++)
-    most = fmax(most, fabs(row->column[curve * m->ntime + k]));
+  for (size_t k = 0; k < m->ntime; k++) most = fmax(most, fabs(row->column[curve * m->ntime + k]));
   return most * fabs(step) / m->curve[curve].size;
 }
 

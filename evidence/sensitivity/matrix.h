@@ -18,10 +18,10 @@ struct um_sensitivity_curve {
 struct um_sensitivity_row {
   char *name; /* "emittance:mli.emittance_factor"; a switch "albedo"; owned */
   const struct um_sensitivity_candidate *candidate; /* of the list */
-  size_t parameter; /* of the effect's; SIZE_MAX: a switch, turned on */
-  const char *unit; /* of the parameter; "1" of a switch; borrowed */
+  size_t parameter;                    /* of the effect's; SIZE_MAX: a switch, turned on */
+  const char *unit;                    /* of the parameter; "1" of a switch; borrowed */
   double null_value, minimum, maximum; /* in the scenario, and where it may go */
-  double width;     /* of its prior, or a step as a fit begins with [unit] */
+  double width;                        /* of its prior, or a step as a fit begins with [unit] */
   double log_scale; /* d(parameter)/d ln(what it changes) [unit], of elasticities; NaN: nothing is
                        stated that is one number, or it is 0 */
   struct um_sensitivity_quality quality;
@@ -35,25 +35,29 @@ struct um_sensitivity_matrix {
   struct um_sensitivity_forward *forward; /* borrowed */
   struct um_sensitivity_candidates *list; /* owned */
   size_t ncurve, nlight, ntime;
-  size_t *curve_of; /* [channels of the measurements] */
+  size_t *curve_of;                   /* [channels of the measurements] */
   struct um_sensitivity_curve *curve; /* [ncurve] the nlight of light, then temperatures */
   const double *time;                 /* [ntime] t_tai [s]; borrowed from the forward */
   double *value;                      /* [ncurve][ntime] of the scenario as it stands; NaN */
   struct um_sensitivity_row *row;     /* [nrow] in the order of candidates and parameters */
   size_t nrow;
-  double *columns;   /* [of rows] */
-  double seconds;    /* wall time of the matrix, the scenario's own run not counted [s] */
+  double *columns;    /* [of rows] */
+  double seconds;     /* wall time of the matrix, the scenario's own run not counted [s] */
   double seconds_run; /* of that run [s] */
 };
+
+/* Tolerances of heat that derivatives want: a tenth of the scenario's, since differences of runs
+ * have their noise, and a periodic state that is found well enough for the slowest nodes [1, K]. */
+#define UM_SENSITIVITY_MATRIX_TOLERANCE ((struct um_variant_tolerance){0.1, 1e-4})
 
 /* The matrix of a forward, of which sigmas are set to a thousandth of the curves' sizes
  * (um_sensitivity_own_weigh). own: its observations are the scenario's own. options: which effects
  * and targets; `derivatives` is set. Errors of um_sensitivity_candidates_create. The forward
  * outlives the matrix; the caller destroys. */
-enum um_status
-um_sensitivity_matrix_create(struct um_context *context, struct um_sensitivity_forward *forward,
-                             bool own, const struct um_sensitivity_candidates_options *options,
-                             struct um_sensitivity_matrix **out);
+enum um_status um_sensitivity_matrix_create(struct um_context *context,
+                                            struct um_sensitivity_forward *forward, bool own,
+                                            const struct um_sensitivity_candidates_options *options,
+                                            struct um_sensitivity_matrix **out);
 void um_sensitivity_matrix_destroy(struct um_context *context,
                                    struct um_sensitivity_matrix **matrix);
 

@@ -45,8 +45,7 @@ enum um_status um_sensitivity_own_create(struct um_context *context, const struc
                                          struct um_compare_measurements **out)
 {
   enum um_status status;
-  size_t n, places = model->body->nplace,
-            materials = um_geometry_material_count(model->geometry);
+  size_t n, places = model->body->nplace, materials = um_geometry_material_count(model->geometry);
   const char *temperature = um_compare_quantity_name(UM_QUANTITY_TEMPERATURE);
   const char *light = um_compare_quantity_name(UM_QUANTITY_BAND_IRRADIANCE);
   double exposure = model->scenario->time->exposure_s, *time = NULL;

@@ -35,6 +35,10 @@
 #define UM_SENSITIVITY_NOISE_SHARE 2e-4
 /* An error that is small enough [1]: a thousandth is promised. */
 #define UM_SENSITIVITY_GOOD 3e-4
+/* What forward sensitivities of temperatures are good to [1]
+ * (model/products/thermal_sensitivity.h).
+ */
+#define UM_SENSITIVITY_TANGENT 1e-3
 /* An error that says that there is no derivative [1]. */
 #define UM_SENSITIVITY_BROKEN 0.05
 /* Channels count from this share of the largest change [1, in sigma]. */

@@ -155,8 +155,7 @@ enum um_status um_sensitivity_signature_renew(struct um_context *context,
     double *column = c->signature + k * n;
     const struct um_sensitivity_mover mover = {context,       point,           c,
                                                c->null_value, c->parameter[k], column};
-    UM_TRY(um_sensitivity_derivative(&mover, &c->step[k], &change,
-                                     &c->quality[c->parameter[k]]));
+    UM_TRY(um_sensitivity_derivative(&mover, &c->step[k], &change, &c->quality[c->parameter[k]]));
   }
   return UM_OK;
 }
