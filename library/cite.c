@@ -105,7 +105,11 @@ enum umbra_status umbra_cite(struct umbra *umbra, struct umbra_result *result,
   struct text t = {.context = context};
   *out = NULL;
   if (result->citation.sentence == NULL) {
-    enum um_status status = compose(&t, result->kind->model(result->work));
+    const struct um_model *model = result->kind->model(result->work);
+    enum um_status status =
+        model != NULL ? compose(&t, model)
+                      : um_core_fail(context, UM_ERR_INPUT,
+                                     "what a matrix says of other values; accepted: the matrix");
     if (status != UM_OK) {
       UM_FREE(context, t.sentence, t.bibtex);
       return um_library_status(status);

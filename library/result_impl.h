@@ -11,7 +11,7 @@ struct um_library_kind {
   enum um_status (*write)(struct um_context *context, const struct umbra_result *result,
                           const struct umbra_write *write, struct um_core_folder *folder);
   void (*release)(struct um_context *context, void *work);
-  /* The model that it is of; borrowed. */
+  /* The model that it is of; borrowed. NULL: it keeps none, and is not cited. */
   const struct um_model *(*model)(const void *work);
 };
 

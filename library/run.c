@@ -103,8 +103,7 @@ static enum um_status show_heat(struct um_context *context, const struct um_mode
 /* --- arrays that are made ---------------------------------------------------------------------
  */
 
-/* POSIX time [s]: leap seconds are not counted. */
-static double unix_time(double t_tai)
+double um_library_unix_time(double t_tai)
 {
   double mjd, seconds;
   um_orbit_time_utc_clock(t_tai, &mjd, &seconds);
@@ -121,7 +120,7 @@ static enum um_status make_times(struct um_context *context, const struct um_mod
   UM_TRY(um_library_result_make(context, to, a, "sunlit", "1", &sunlit));
   UM_TRY(um_library_result_make(context, to, a, "hidden", "1", &hidden));
   for (size_t k = 0; k < tables->nobs; k++) {
-    time[k] = unix_time(tables->t_obs[k]);
+    time[k] = um_library_unix_time(tables->t_obs[k]);
     sunlit[k] = tables->sunlit[k];
     hidden[k] = tables->hidden[k] ? 1.0 : 0.0;
   }

@@ -176,7 +176,8 @@ struct umbra_array {
   size_t dimensions;       /* at most 4 */
   size_t shape[4];
   const char *axis[4]; /* "time", "band", "place", "material", "mechanism", "bin", "surface",
-                          "node", "sensor", "observation", "fitted observation", "set" */
+                          "node", "sensor", "observation", "fitted observation", "set",
+                          "parameter" */
   const double *data;
 };
 
@@ -433,6 +434,62 @@ enum umbra_status umbra_fit(struct umbra *umbra, const struct umbra_scenario *sc
 /* NULL for results that are of no fit and no diagnosis. */
 const struct umbra_verdict *umbra_result_verdict(const struct umbra_result *result);
 
+/* --- sensitivity ------------------------------------------------------------------------------ */
+
+/* A column of the matrix: a parameter of an effect on a target. */
+struct umbra_derivative {
+  const char *name; /* "emittance:mli.emittance_factor"; a switch that is off, "albedo" */
+  const char *effect, *target;         /* target NULL: everything */
+  const char *parameter;               /* NULL: a switch, of which the column is the whole change */
+  const char *unit;                    /* of the parameter */
+  double null_value, minimum, maximum; /* in the scenario, and where it may go */
+  double width;                        /* of its prior, or a step as a fit begins with */
+  const char *method; /* "tangent", "light", "runs", "motion", "behind", "switch" (docs/files.md) */
+  double step, error; /* of the differences; estimated error of the column, of its largest value */
+  double reach;       /* way from null_value within which a line leaves 1 % of every curve's size;
+                         INFINITY:       no bend was seen, NaN: not known */
+  const char *not_smooth; /* why a small step does not follow it; NULL: it does */
+};
+struct umbra_sensitivity {
+  const struct umbra_derivative *derivative; /* [nderivative], the axis "parameter" */
+  size_t nderivative;
+  const char *const *band;  /* [nband], the axis "band": bands, of measurements other light, too */
+  const char *const *place; /* [nplace], the axis "place" */
+  size_t nband, nplace;
+};
+
+struct umbra_sensitivity_settings {
+  size_t size;
+  const char *const *only; /* [nonly] "effect" or "effect:target"; none: all */
+  size_t nonly;
+  const char *const *exclude; /* [nexclude] likewise, taken out */
+  size_t nexclude;
+};
+#define UMBRA_SENSITIVITY_SETTINGS                                                                 \
+  {                                                                                                \
+    sizeof(struct umbra_sensitivity_settings), NULL, 0, NULL, 0                                    \
+  }
+
+/* d(light of every band, temperature of every place)/d(every parameter of every effect on every
+ * target) at the scenario's own instants, or, with measurements (NULL: none), at theirs. The result
+ * has time_unix_s [time], light [band, time], temperature [place, time] as the scenario stands, and
+ * d_light [parameter, band, time], d_temperature [parameter, place, time]; NaN where nothing is
+ * observed. settings: NULL for the defaults. Takes as long as tens of runs; progress is reported.
+ * UMBRA_ERR_INPUT: no such effect; and errors of umbra_compare. */
+enum umbra_status umbra_sensitivity(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                    struct umbra_measurements *measurements,
+                                    const struct umbra_sensitivity_settings *settings,
+                                    struct umbra_result **out);
+/* NULL for other results. */
+const struct umbra_sensitivity *umbra_result_sensitivity(const struct umbra_result *result);
+/* What the matrix says when columns [n] take values, in less than 50 ms: light [band, time] and
+ * temperature [place, time], which outlive `sensitivity`. A switch takes 1 for on. Such a result is
+ * not written. UMBRA_ERR_INPUT: no result of umbra_sensitivity, no such column, or a value that its
+ * parameter may not have. */
+enum umbra_status umbra_what_if(struct umbra *umbra, const struct umbra_result *sensitivity,
+                                const size_t *column, const double *value, size_t n,
+                                struct umbra_result **out);
+
 /* --- what there is: effects, keys, sources ------------------------------------------------------
  */
 
@@ -520,7 +577,7 @@ struct umbra_citation {
 
 /* What a result rests on: the program, the models and data it used, the libraries that computed it,
  * the records of its materials, the references of its effects. Owned by the result, like *out.
- * UMBRA_ERR_MEMORY. */
+ * UMBRA_ERR_MEMORY; UMBRA_ERR_INPUT: a result of umbra_what_if. */
 enum umbra_status umbra_cite(struct umbra *umbra, struct umbra_result *result,
                              const struct umbra_citation **out);
 

@@ -283,6 +283,7 @@ static enum um_status differentiate_in(struct work *w, double *blocks)
   w->apart = true;
   w->noisy = change->fresh && !change->smooth;
   bool network = (um_effects_reach(m->candidate->effect) & ~(uint32_t)UM_REACH_THERMAL) == 0;
+  w->moving = w->moving || (w->noisy && !network); /* edges of a shadow pass between instants */
   if (w->noisy && !network && m->point->naddition == 0) {
     UM_TRY(differentiate_apart(w, heat));
     if (w->apart) return UM_OK;

@@ -11,7 +11,7 @@
  *   laboratory  it is hidden in a world */
 #include "effects/effects.h"
 
-#include "tests/evidence/sensitivity/forward_test.h"
+#include "tests/evidence/sensitivity/satellite_test.h"
 #include "tests/lab/lab.h"
 
 #define ROWS 60 /* of the measurements, in use */
@@ -101,31 +101,6 @@ static const struct entry cases[] = {
     {"twilight", "vis", 1e-4, "bus", "less light than none has no magnitude"},
 };
 
-/* The small satellite with a box in MLI, a wing on a joint and a camera whose pixels fill, so that
- * everything has a target. */
-#define MORE                                                                                       \
-  "  - name: box\n"                                                                                \
-  "    box: {size_m: [0.5, 0.5, 0.5]}\n"                                                           \
-  "    pose: {position_m: [0, -2, 0]}\n"                                                           \
-  "    outside: mli_kapton\n"                                                                      \
-  "    shell: {material: aluminium_bare, thickness_mm: 1.2}\n"                                     \
-  "    mli: {effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 50}\n"                         \
-  "    creases: {tilt_rms_deg: 2, patch_m: 0.1}\n"                                                 \
-  "    lumped: true\n"                                                                             \
-  "  - name: wing\n"                                                                               \
-  "    plate: {size_m: [1, 1]}\n"                                                                  \
-  "    pose: {position_m: [3, 0, 0]}\n"                                                            \
-  "    joint: {axis: [0, 1, 0], angle_deg: 20}\n"                                                  \
-  "    front: grey_panel\n"                                                                        \
-  "    back: aluminium_bare\n"                                                                     \
-  "    shell: {areal_heat_capacity_J_m2_K: 2000, through_conductance_W_m2_K: 50}\n"                \
-  "    lumped: true\n"                                                                             \
-  "thermal:"
-
-#define CAMERA                                                                                     \
-  "sensors:\n"                                                                                     \
-  "  camera: {band: vis, aperture_m: 0.3, pixel_arcsec: 1, exposure_s: 1, saturation_e: 300}\n"
-
 /* Everything that is wrong is said before the test fails. */
 static int complaints;
 #define COMPLAIN(...)                                                                              \
@@ -141,17 +116,6 @@ static const struct entry *entry_of(const struct um_effect *effect)
     if (strcmp(cases[i].effect, effect->name) == 0) return &cases[i];
   COMPLAIN("effect '%s' has no line in tests/effects/conformance.c", effect->name);
   return NULL;
-}
-
-static void put_satellite(void)
-{
-  char text[8192];
-  const char *thermal = strstr(scenario_text, "thermal:");
-  put_world("");
-  snprintf(text, sizeof text, "%.*s" MORE "%s" CONTACTS CAMERA, (int)(thermal - scenario_text),
-           scenario_text, thermal + strlen("thermal:"));
-  put(SCENARIO, text);
-  put_measured("count_rate,camera,1e5,1e5,0");
 }
 
 #define ISOTHERMAL 8 /* at most, of each world */
