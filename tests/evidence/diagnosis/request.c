@@ -14,7 +14,12 @@ static void test_requests(void **state)
                                          "zero_point:lwir"};
   static const char *const exclude[] = {"albedo"};
   static const char *const wanted[] = {"internal_power:bus,power_W=3", "area:panel"};
-  const struct um_diagnosis_request_texts texts = {nuisance, exclude, wanted, 3, 1, 2};
+  const struct um_diagnosis_request_texts texts = {.nuisance = nuisance,
+                                                   .exclude = exclude,
+                                                   .wanted = wanted,
+                                                   .nnuisance = 3,
+                                                   .nexclude = 1,
+                                                   .nwanted = 2};
   struct um_diagnosis_request r;
   assert_ok(um_model_create(context, "scene", NULL, &model));
   assert_ok(um_diagnosis_request_make(context, model, &texts, &r));
