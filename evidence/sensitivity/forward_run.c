@@ -1,0 +1,60 @@
+/* Everything of one variant of a forward, kept; what evaluations took. */
+#include "evidence/sensitivity/forward.h"
+#include "model/run/run.h"
+
+enum um_status um_sensitivity_forward_run(struct um_context *context,
+                                          const struct um_sensitivity_forward *forward,
+                                          const struct um_model_addition *addition,
+                                          size_t naddition, bool grid,
+                                          struct um_sensitivity_forward_run *out)
+{
+  enum um_status status;
+  const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
+  const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
+  const struct um_model_instants window = {.sampling = forward->instants.sampling};
+  struct um_variant *v = &out->variant;
+  *out = (struct um_sensitivity_forward_run){.result = NULL};
+  um_core_quiet_begin(context);
+  if (grid && !forward->model->points) /* points have no window of their own */
+    UM_CHECK(um_variant_open_over(context, forward->evaluator, &window, &changes, &heat, v));
+  else
+    UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
+  UM_CHECK(um_model_run_with(context, v->model, v->tables, v->heat, &out->result));
+done:
+  um_core_quiet_end(context);
+  if (status != UM_OK) um_sensitivity_forward_run_release(context, out);
+  return status == UM_ERR_INPUT && naddition > 0 ? UM_ERR_REFUSED : status;
+}
+
+void um_sensitivity_forward_run_release(struct um_context *context,
+                                        struct um_sensitivity_forward_run *run)
+{
+  um_model_result_destroy(context, &run->result);
+  um_variant_close(context, &run->variant);
+}
+
+struct um_sensitivity_effort
+um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
+                              const struct um_sensitivity_forward *before)
+{
+  const struct um_sensitivity_effort effort = {
+      .evaluations = forward->evaluations - before->evaluations,
+      .heat_runs = forward->heat_runs - before->heat_runs,
+      .heat_sensitivities = forward->heat_sensitivities - before->heat_sensitivities,
+      .heat_batches = forward->heat_batches - before->heat_batches,
+      .seconds = forward->seconds - before->seconds,
+      .heat_seconds = forward->heat_seconds - before->heat_seconds};
+  *forward = *before;
+  return effort;
+}
+
+void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
+                                       const struct um_sensitivity_effort *effort)
+{
+  forward->evaluations += effort->evaluations;
+  forward->heat_runs += effort->heat_runs;
+  forward->heat_sensitivities += effort->heat_sensitivities;
+  forward->heat_batches += effort->heat_batches;
+  forward->seconds += effort->seconds;
+  forward->heat_seconds += effort->heat_seconds;
+}
