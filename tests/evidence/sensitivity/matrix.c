@@ -188,8 +188,9 @@ static double allowed_of(const struct um_sensitivity_row *r)
   enum um_sensitivity_way way = r->quality.way;
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
     if (strcmp(r->candidate->effect->name, known[i].effect) == 0) return known[i].off;
-  bool stated = way == UM_SENSITIVITY_BY_MOTION || way == UM_SENSITIVITY_BY_RUNS ||
-                way == UM_SENSITIVITY_BY_BEHIND;
+  if (way == UM_SENSITIVITY_BY_MOTION)
+    return fmax(GOOD, 6.0 * r->quality.error); /* area of a box */
+  bool stated = way == UM_SENSITIVITY_BY_RUNS || way == UM_SENSITIVITY_BY_BEHIND;
   return stated ? fmax(GOOD, 2.0 * r->quality.error) : GOOD;
 }
 
