@@ -70,6 +70,8 @@ struct periodic {
   double *jacobian;                  /* [nnonzero] of the orbit mean [1/s] */
   double *matrix;                    /* [nnonzero] X + shift */
   double distance;                   /* of the last orbit's end [K] */
+  double *left;                      /* [n] of a node's corrected end, at most [K] */
+  bool corrected;                    /* the end has its correction */
   double wanted;                     /* distance that is good enough [K] */
   size_t orbits;
   enum um_status status; /* of the callback */
@@ -235,7 +237,9 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     double drift = periodic->end[system->node[k]] - y[k];
     double beyond = fabs(change[k] - drift);
     periodic->distance = fmax(periodic->distance, beyond + UM_THERMAL_RETURN_ERROR * fabs(drift));
-    left = fmax(left, left_of(periodic->end[system->node[k]], drift, change[k]));
+    double own = left_of(periodic->end[system->node[k]], drift, change[k]);
+    periodic->left[system->node[k]] = own;
+    left = fmax(left, own);
     if (beyond * factor > limit) factor = limit / beyond;
   }
   for (size_t k = 0; k < system->nunknown; k++) {
@@ -243,9 +247,11 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     change[k] = drift + factor * (change[k] - drift);
   }
   thermostats_hold(periodic, y, change);
+  periodic->corrected = false;
   if (periodic->distance > periodic->wanted && left <= periodic->wanted && factor == 1.0 &&
       system->nthermostat == 0) {
     end_correct(periodic, y, change);
+    periodic->corrected = true;
     periodic->distance = left;
   }
   /* good enough: a fixed point, which ends KINSOL's iteration */
@@ -271,6 +277,7 @@ static enum um_status storage_create(struct periodic *periodic)
   struct um_context *context = system->context;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->start));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->end));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->left));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.cube));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.power4));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
@@ -301,10 +308,16 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   if (periodic->part != NULL) N_VDestroy(periodic->part);
   if (periodic->one != NULL) N_VDestroy(periodic->one);
   if (periodic->sun != NULL) SUNContext_Free(&periodic->sun);
-  UM_FREE(context, periodic->start, periodic->end, periodic->means.cube, periodic->means.power4,
-          periodic->jacobian, periodic->matrix);
+  UM_FREE(context, periodic->start, periodic->end, periodic->left, periodic->means.cube,
+          periodic->means.power4, periodic->jacobian, periodic->matrix);
   um_thermal_integrator_destroy(&periodic->integrator);
   um_thermal_system_destroy(&periodic->system);
+}
+
+/* Of a node from the state that is given, over an orbit. */
+static double drift_of(const struct periodic *periodic, size_t node)
+{
+  return periodic->corrected ? periodic->left[node] : periodic->end[node] - periodic->start[node];
 }
 
 static struct um_thermal_periodic report_make(const struct periodic *periodic)
@@ -312,7 +325,7 @@ static struct um_thermal_periodic report_make(const struct periodic *periodic)
   struct um_thermal_periodic report = {
       .distance = periodic->distance, .orbits = periodic->orbits, .audit = periodic->audit};
   for (size_t i = 0; i < periodic->system->n; i++) {
-    double drift = fabs(periodic->end[i] - periodic->start[i]);
+    double drift = fabs(drift_of(periodic, i));
     if (drift > report.drift) {
       report.drift = drift;
       report.drift_node = i;
@@ -436,7 +449,7 @@ enum um_status um_thermal_solve_periodic_report(
   UM_CHECK(kinsol_run(&periodic, tolerance));
   memcpy(temperature, periodic.end, n * sizeof(double));
   for (size_t i = 0; i < n && mean != NULL; i++) mean[i] = pow(periodic.means.power4[i], 0.25);
-  for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = periodic.end[i] - periodic.start[i];
+  for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = drift_of(&periodic, i);
   if (report != NULL) *report = report_make(&periodic);
 done:
   um_core_progress_end(context);

@@ -57,14 +57,15 @@ enum um_status um_thermal_solve_periodic(struct um_context *context,
                                          double tolerance, double *temperature, double *drift);
 /* What a periodic solution says about itself. */
 struct um_thermal_periodic {
-  double drift;      /* largest change of a node over the last orbit that was integrated [K] */
+  double drift;      /* largest change of a node over an orbit, as said below [K] */
   size_t drift_node; /* that node */
   double distance;   /* estimated largest distance of a node from the periodic state [K] */
   size_t orbits;     /* integrated */
   struct um_thermal_audit audit; /* of that last orbit */
 };
-/* The same with the signed change of every node over that orbit [nnode] [K], its mean temperature,
- * of the fourth power [nnode] [K], and a report; each may be NULL. */
+/* The same with the change of every node over an orbit [nnode] [K], its mean temperature, of the
+ * fourth power [nnode] [K], and a report; each may be NULL. The change is that of the last orbit
+ * or, where its end was corrected, what may be left of it at most, 0 of eliminated nodes. */
 enum um_status um_thermal_solve_periodic_report(
     struct um_context *context, const struct um_thermal_network *network,
     const struct um_irradiation_loads *loads, const struct um_thermal_solve_options *options,
