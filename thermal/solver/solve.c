@@ -10,8 +10,7 @@
 #include "base/core/constants.h"
 #include "thermal/solver/integrator_group.h"
 
-#define CLOSED 1e-6 /* of its content, the turnover of a satellite that nothing enters or leaves   \
-                     */
+#define CLOSED 1e-6 /* of its content: the least turnover, of a satellite that is closed */
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
 {
