@@ -7,7 +7,7 @@
 #include "model/run/thermal_solution.h"
 
 struct um_variant_tolerance {
-  double factor;   /* >= 1, on the scenario's tolerances of the integration [1] */
+  double factor;   /* above 0, on the scenario's tolerances of the integration [1] */
   double periodic; /* of the state that repeats [K] */
 };
 /* As a run of its own has them. */

@@ -13,7 +13,7 @@ struct um_model_thermal_solution;
 /* warm: NULL, or heat of a model with the same nodes: a periodic state is looked for from where
  * that of `warm` moves to, which takes an orbit or two in place of many; the state found differs
  * within the tolerance of the search (0.01 K). It does not touch an isothermal start.
- * tolerance_factor: factor >= 1 on the tolerances of the integration. The run goes on from the end
+ * tolerance_factor: on the tolerances of the integration, above 0. The run goes on from the end
  * of the periodic orbit where it can. Errors of the thermal solvers. The caller destroys. */
 enum um_status um_model_thermal_solution_create(struct um_context *context,
                                                 const struct um_model *model,

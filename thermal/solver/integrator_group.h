@@ -25,8 +25,7 @@ enum um_status um_thermal_integrator_create(struct um_thermal_system *system, do
                                             struct um_thermal_integrator **out);
 void um_thermal_integrator_destroy(struct um_thermal_integrator **integrator);
 
-/* From the next start on: tolerances times `factor` >= 1; above 1 without the care for the audit.
- */
+/* From the next start on: tolerances times `factor`; above 1 without the care for the audit. */
 void um_thermal_integrator_loosen(struct um_thermal_integrator *integrator, double factor);
 /* Integrals over a run, of every node [n]. */
 struct um_thermal_integrals {
