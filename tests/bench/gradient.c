@@ -1,6 +1,6 @@
 /* What heat's tangent costs on ENVISAT's pass, all parameters of one run together, over a run of
  * the scenario, in processor time of one thread; and how far it is from central differences of
- * integrations of their own. Some five minutes. */
+ * integrations of their own. More than eight minutes. */
 #include <math.h>
 #include <stdio.h>
 
