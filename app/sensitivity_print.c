@@ -39,7 +39,7 @@ static void print_leader(const struct um_sensitivity_report *r,
   print_width(row);
   printf(" %9.3g %s", l->share * unit, curve->temperature ? "K" : "%");
   if (r->elasticity) {
-    double by = l->share * unit * 0.01 * fabs(row->log_scale) / row->width;
+    double by = um_sensitivity_report_by_percent(m, l) * unit;
     if (isfinite(by))
       printf(" %10.3g", by);
     else
@@ -101,8 +101,8 @@ static void print_what_if(const struct um_sensitivity_matrix *m,
     if (row->quality.way == UM_SENSITIVITY_BY_SWITCH)
       printf(" %s is turned on", row->name);
     else
-      printf("%s %s is %g %s(now %g)", i > 0 ? "," : "", row->name, w->to[i],
-             unit_of(row)[0] != '\0' ? unit_of(row) : "", row->null_value);
+      printf("%s %s is %g%s%s (now %g)", i > 0 ? "," : "", row->name, w->to[i],
+             unit_of(row)[0] != '\0' ? " " : "", unit_of(row), row->null_value);
   }
   printf(": by the matrix in %.2g ms, by the model in %.2g s\n", 1e3 * w->seconds,
          w->seconds_exact);

@@ -231,11 +231,12 @@ void um_sensitivity_matrix_destroy(struct um_context *context,
 
 double um_sensitivity_matrix_strength(const struct um_sensitivity_matrix *m,
                                       const struct um_sensitivity_row *row, size_t curve,
-                                      double step)
+                                      size_t from, size_t to, double step)
 {
   double most = 0.0;
   if (row->column == NULL || !(m->curve[curve].size > 0.0)) return 0.0;
-  for (size_t k = 0; k < m->ntime; k++) most = fmax(most, fabs(row->column[curve * m->ntime + k]));
+  for (size_t k = from; k < to; k++) /* fmax leaves NaN out */
+    most = fmax(most, fabs(row->column[curve * m->ntime + k]));
   return most * fabs(step) / m->curve[curve].size;
 }
 

@@ -63,10 +63,11 @@ void um_sensitivity_matrix_destroy(struct um_context *context,
 
 /* "tangent": a word for how a column was found. */
 const char *um_sensitivity_way_name(enum um_sensitivity_way way);
-/* Largest change of a curve by a step of the row [its unit], of the curve's size [1]; 0 without. */
+/* Largest change of a curve at instants [from, to) by a step of the row [its unit], of the curve's
+ * size [1]; 0 without a column. */
 double um_sensitivity_matrix_strength(const struct um_sensitivity_matrix *matrix,
                                       const struct um_sensitivity_row *row, size_t curve,
-                                      double step);
+                                      size_t from, size_t to, double step);
 
 /* Values [ncurve][ntime] by the matrix when rows [n] take values: value + sum of columns times the
  * way from the null value. NaN stays. Does not fail. */

@@ -6,9 +6,9 @@
 
 #include "effects/effects.h"
 #include "model/build/build.h"
-#include "model/run/run.h"
 #include "model/run/thermal_solution_group.h"
 #include "tests/bench/bench.h"
+#include "tests/bench/own_run.h"
 #include "variant/evaluator.h"
 
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/envisat-graz-2016"
@@ -40,19 +40,6 @@ static const struct parameter parameters[] = {
 #define PARAMETERS (sizeof parameters / sizeof *parameters)
 #define SMOOTH     11 /* the first of them: those behind move loads, which are kinked at every row */
 static const size_t counts[] = {1, SMOOTH, PARAMETERS};
-
-static double own_run(const struct bench *bench, const struct um_model *model)
-{
-  struct um_model_tables *tables = NULL;
-  struct um_model_result *result = NULL;
-  double begin = bench_cpu();
-  bench_must(bench, um_model_precompute(bench->context, model, &tables));
-  bench_must(bench, um_model_run(bench->context, model, tables, &result));
-  double seconds = bench_cpu() - begin;
-  um_model_result_destroy(bench->context, &result);
-  um_model_tables_destroy(bench->context, &tables);
-  return seconds;
-}
 
 static void open_moved(const struct bench *bench, struct um_variant_evaluator *evaluator,
                        const struct parameter *p, double share, const struct um_variant_heat *how,
@@ -159,7 +146,7 @@ int main(int argc, char **argv)
   char name[80];
   bench_begin(&bench, argc, argv, "heat's tangent on ENVISAT's pass over a run");
   bench_must(&bench, um_model_create(bench.context, SCENARIO, NULL, &model));
-  bench_add(&run, own_run(&bench, model));
+  bench_add(&run, bench_own_run(&bench, model));
   bench_must(&bench, um_variant_evaluator_create(bench.context, model, &settings, &evaluator));
   bench_must(&bench, um_variant_base(bench.context, evaluator, &base));
   for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {

@@ -7,8 +7,8 @@
 #include "effects/effects.h"
 #include "model/build/bands.h"
 #include "model/build/build.h"
-#include "model/run/run.h"
 #include "tests/bench/bench.h"
+#include "tests/bench/own_run.h"
 #include "variant/evaluator.h"
 #include "variant/tolerance_impl.h"
 
@@ -37,19 +37,6 @@ static const struct cost costs[] = {
     {"spin period", 0.5, "spin_period", NULL, 0.001},
 };
 #define COSTS (sizeof costs / sizeof *costs)
-
-static double own_run(const struct bench *bench, const struct um_model *model)
-{
-  struct um_model_tables *tables = NULL;
-  struct um_model_result *result = NULL;
-  double begin = bench_cpu();
-  bench_must(bench, um_model_precompute(bench->context, model, &tables));
-  bench_must(bench, um_model_run(bench->context, model, tables, &result));
-  double seconds = bench_cpu() - begin;
-  um_model_result_destroy(bench->context, &result);
-  um_model_tables_destroy(bench->context, &tables);
-  return seconds;
-}
 
 static double observe(const struct bench *bench, struct um_variant_evaluator *evaluator,
                       struct um_variant *v, double begin)
@@ -156,7 +143,7 @@ int main(int argc, char **argv)
   bench_must(&bench, um_variant_evaluator_create(bench.context, model, &settings, &evaluator));
   bench_must(&bench, um_variant_base(bench.context, evaluator, &base));
   for (int i = 0; i < RUNS; i++) {
-    bench_add(&run, own_run(&bench, model));
+    bench_add(&run, bench_own_run(&bench, model));
     for (size_t k = 0; k < COSTS; k++) bench_add(&cost[k], change(&bench, evaluator, &costs[k], i));
     double base_seconds, pass_seconds = pass(&bench, model, i, &base_seconds);
     bench_add(&later, pass_seconds);

@@ -19,24 +19,25 @@ um_sensitivity_report_group(const struct um_sensitivity_matrix *m, size_t index)
   return (struct um_sensitivity_report_group){"temperature", m->nlight, m->ncurve};
 }
 
-static struct um_sensitivity_report_leader strength(const struct um_sensitivity_matrix *m,
-                                                    size_t row,
-                                                    const struct um_sensitivity_report_group *group,
-                                                    size_t from, size_t to)
+struct um_sensitivity_report_leader
+um_sensitivity_report_strongest(const struct um_sensitivity_matrix *m, size_t row,
+                                const struct um_sensitivity_report_group *group, size_t from,
+                                size_t to)
 {
   const struct um_sensitivity_row *r = &m->row[row];
   struct um_sensitivity_report_leader out = {row, group->first, 0.0};
-  for (size_t c = group->first; c < group->last && r->column != NULL; c++) {
-    double most = 0.0;
-    for (size_t k = from; k < to; k++) /* fmax leaves NaN out */
-      most = fmax(most, fabs(r->column[c * m->ntime + k]));
-    if (!(m->curve[c].size > 0.0)) continue;
-    double share = most * r->width / m->curve[c].size;
-    if (share <= out.share) continue;
-    out.share = share;
-    out.curve = c;
+  for (size_t c = group->first; c < group->last; c++) {
+    double share = um_sensitivity_matrix_strength(m, r, c, from, to, r->width);
+    if (share > out.share) out = (struct um_sensitivity_report_leader){row, c, share};
   }
   return out;
+}
+
+double um_sensitivity_report_by_percent(const struct um_sensitivity_matrix *m,
+                                        const struct um_sensitivity_report_leader *l)
+{
+  const struct um_sensitivity_row *row = &m->row[l->row];
+  return l->share * 0.01 * fabs(row->log_scale) / row->width;
 }
 
 size_t um_sensitivity_report_leaders(const struct um_sensitivity_matrix *m,
@@ -48,7 +49,8 @@ size_t um_sensitivity_report_leaders(const struct um_sensitivity_matrix *m,
   for (size_t i = 0; i < m->nrow; i++) {
     if (m->row[i].column == NULL || (m->row[i].quality.way == UM_SENSITIVITY_BY_BEHIND) != behind)
       continue;
-    const struct um_sensitivity_report_leader l = strength(m, i, group, from, to);
+    const struct um_sensitivity_report_leader l =
+        um_sensitivity_report_strongest(m, i, group, from, to);
     size_t at = n;
     if (!(l.share >= LEAST)) continue;
     while (at > 0 && out[at - 1].share < l.share) at--;

@@ -11,31 +11,12 @@
 #define MINUTE  60.0 /* [s] */
 #define LEADERS 5    /* of a minute */
 
-/* Largest change of a group by one width, of its size, and where. */
-static struct um_sensitivity_report_leader strongest(const struct um_sensitivity_matrix *m,
-                                                     const struct um_sensitivity_row *row,
-                                                     const struct um_sensitivity_report_group *g)
-{
-  struct um_sensitivity_report_leader out = {0, g->first, 0.0};
-  for (size_t c = g->first; c < g->last; c++) {
-    double share = um_sensitivity_matrix_strength(m, row, c, row->width);
-    if (share > out.share) out = (struct um_sensitivity_report_leader){0, c, share};
-  }
-  return out;
-}
-
-/* The same by a hundredth of what is changed; NaN where nothing is stated. */
-static double by_percent(const struct um_sensitivity_row *row, double share)
-{
-  return share * 0.01 * fabs(row->log_scale) / row->width;
-}
-
 /* --- parameters.csv --------------------------------------------------------------------------- */
 
-static void write_parameter(const struct um_sensitivity_report *r,
-                            const struct um_sensitivity_row *row, FILE *file)
+static void write_parameter(const struct um_sensitivity_report *r, size_t which, FILE *file)
 {
   const struct um_sensitivity_matrix *m = r->matrix;
+  const struct um_sensitivity_row *row = &m->row[which];
   const struct um_sensitivity_quality *q = &row->quality;
   const double numbers[] = {row->null_value, row->width, row->minimum, row->maximum,
                             q->step,         q->error,   q->reach};
@@ -47,12 +28,14 @@ static void write_parameter(const struct um_sensitivity_report *r,
   um_core_csv_put_text(file, row->why != NULL ? row->why : "", "");
   for (size_t i = 0; i < um_sensitivity_report_groups(m); i++) {
     const struct um_sensitivity_report_group g = um_sensitivity_report_group(m, i);
-    const struct um_sensitivity_report_leader l = strongest(m, row, &g);
+    const struct um_sensitivity_report_leader l =
+        um_sensitivity_report_strongest(m, which, &g, 0, m->ntime);
     bool heat = g.first >= m->nlight, none = row->column == NULL;
     double unit = heat ? m->curve[l.curve].size : 100.0; /* of a share: [K], [%] */
     um_core_csv_put_number(file, none ? (double)NAN : l.share * unit);
     if (r->elasticity)
-      um_core_csv_put_number(file, none ? (double)NAN : by_percent(row, l.share) * unit);
+      um_core_csv_put_number(file,
+                             none ? (double)NAN : um_sensitivity_report_by_percent(m, &l) * unit);
     if (heat) um_core_csv_put_text(file, l.share > 0.0 ? m->curve[l.curve].name : "", "");
   }
   fputc('\n', file);
@@ -71,7 +54,7 @@ static void write_parameters(const struct um_sensitivity_report *r, FILE *file)
     if (heat) fputs(",place", file);
   }
   fputc('\n', file);
-  for (size_t i = 0; i < m->nrow; i++) write_parameter(r, &m->row[i], file);
+  for (size_t i = 0; i < m->nrow; i++) write_parameter(r, i, file);
 }
 
 /* --- sensitivity.csv -------------------------------------------------------------------------- */
@@ -172,7 +155,8 @@ static void json_row(const struct um_sensitivity_report *r, const struct um_sens
     fputs(c > 0 ? ", " : "", file);
     um_core_json_string(file, m->curve[c].name);
     fputs(": ", file);
-    um_core_json_number(file, um_sensitivity_matrix_strength(m, row, c, 1.0) * m->curve[c].size);
+    um_core_json_number(file, um_sensitivity_matrix_strength(m, row, c, 0, m->ntime, 1.0) *
+                                  m->curve[c].size);
   }
   fputs("}}", file);
 }

@@ -176,8 +176,9 @@ struct tally {
   size_t held, vague, rough, wrong;
 };
 
-/* What forward sensitivities of temperatures miss by more than they promise, as measured here: laws
- * of the heat capacity. */
+/* What forward sensitivities of temperatures miss by more than they promise. Measured: 1.3e-2 of
+ * laws of the heat capacity, 2.6e-3 of the Earth's infrared after a stated start. Why is not known.
+ */
 static const struct {
   const char *effect;
   double off;

@@ -76,6 +76,19 @@ static struct world variant(const struct world *base, const struct moved *m, dou
   return w;
 }
 
+/* The scenario with the options, and its heat with this factor on its tolerances. */
+static struct um_model_thermal_solution *world_solved(const struct um_model_options *options,
+                                                      double factor, struct world *out)
+{
+  struct um_model_thermal_solution *heat;
+  assert_int_equal(um_model_create(context, SCENARIO, options, &out->model), UM_OK);
+  assert_int_equal(um_model_precompute(context, out->model, &out->tables), UM_OK);
+  assert_int_equal(
+      um_model_thermal_solution_create(context, out->model, out->tables, NULL, factor, &heat),
+      UM_OK);
+  return heat;
+}
+
 static void world_release(struct world *w)
 {
   if (!w->borrowed) um_model_tables_destroy(context, &w->tables);
@@ -149,10 +162,7 @@ static void differences(const struct um_model_options *options, const struct mov
   struct um_model_thermal_sensitivity *s;
   bool applicable;
   assert_true(nmove <= MOVES);
-  assert_int_equal(um_model_create(context, SCENARIO, options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 1.0, &heat), UM_OK);
+  heat = world_solved(options, 1.0, &base);
   for (size_t k = 0; k < nmove; k++) {
     double step = moves_of[k].small * moves_of[k].width;
     small[k] = variant(&base, &moves_of[k], step);
@@ -226,10 +236,7 @@ static void test_light(void **state)
   struct um_model_thermal_sensitivity *s;
   struct um_model_light_sensitivity *by_heat;
   struct um_optics_lightcurve *light, *side[2], *linear;
-  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat), UM_OK);
+  heat = world_solved(&options, 30.0, &base);
   struct world w = variant(&base, &power, 1e-2);
   const struct um_model_thermal_move move = {w.model, w.tables, 1e-2};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
@@ -295,10 +302,7 @@ static void test_refused(void **state)
   struct world base = {0};
   struct um_model_thermal_solution *heat, *moved;
   struct um_model_thermal_sensitivity *s;
-  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 6.0, &heat), UM_OK);
+  heat = world_solved(&options, 6.0, &base);
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     struct world w = variant(&base, &others[k], others[k].width);
     const struct um_model_thermal_move move = {w.model, w.tables, 1.0};
@@ -342,11 +346,8 @@ static void test_left_to_runs(void **state)
   struct world base = {0};
   struct um_model_thermal_solution *heat;
   bool applicable;
-  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
-  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
+  heat = world_solved(&options, 30.0, &base);
   assert_non_null(base.tables->spin_variation);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 30.0, &heat), UM_OK);
   struct world w = variant(&base, &power, 1.0);
   assert_int_equal(
       um_model_thermal_sensitivity_is_applicable(context, heat, w.model, w.tables, &applicable),
@@ -372,11 +373,8 @@ static void test_start_offset(void **state)
   struct world base = {0};
   struct um_model_thermal_solution *heat, *moved;
   struct um_model_thermal_sensitivity *s;
-  assert_int_equal(um_model_create(context, SCENARIO, &options, &base.model), UM_OK);
+  heat = world_solved(&options, 1.0, &base);
   assert_non_null(base.model->start_offset);
-  assert_int_equal(um_model_precompute(context, base.model, &base.tables), UM_OK);
-  assert_int_equal(
-      um_model_thermal_solution_create(context, base.model, base.tables, NULL, 1.0, &heat), UM_OK);
   struct world w = variant(&base, &power, 1e-3);
   const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
