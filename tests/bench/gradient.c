@@ -22,8 +22,8 @@ struct parameter {
 };
 static const struct parameter parameters[] = {
     {"emittance", "cell_silicon", 0.02, true},
-    {"internal_power", "bus", 20.0, true},
-    {"heat_capacity", "solar_array", 0.05, false},
+    {"internal_power", "bus", 20.0, false}, /* has no other side */
+    {"heat_capacity", "solar_array", 0.05, true},
     {"mli_emittance", "bus", 0.1, false},
     {"emittance", "mli_kapton", 0.02, false},
     {"emittance", "aluminium_anodised", 0.02, false},
