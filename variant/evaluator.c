@@ -64,12 +64,27 @@ struct um_model_tables *um_variant_base_tables(struct um_context *context,
 
 /* --- geometry -------------------------------------------------------------------------------- */
 
+static enum um_status keep_photons(struct um_context *context, struct um_variant_evaluator *e)
+{
+  if (!e->settings.photons) return UM_OK;
+  return um_model_precompute_photons(context, e->model, e->tables);
+}
+
 static enum um_status base_geometry(struct um_context *context, struct um_variant_evaluator *e)
 {
   if (e->tables != NULL) return UM_OK;
   UM_TRY(um_model_precompute_over(context, e->model, e->settings.instants, &e->tables));
-  if (!e->settings.photons) return UM_OK;
-  return um_model_precompute_photons(context, e->model, e->tables);
+  return keep_photons(context, e);
+}
+
+enum um_status um_variant_paths(struct um_context *context, struct um_variant_evaluator *evaluator,
+                                int paths)
+{
+  struct um_model_tables *base = um_variant_base_tables(context, evaluator);
+  base->sampling.paths = paths;
+  for (struct um_variant_kept *kept = evaluator->cache.first; kept != NULL; kept = kept->next)
+    kept->tables->sampling.paths = paths;
+  return keep_photons(context, evaluator);
 }
 
 /* Over instants, with what the scenario's own geometry, if it is traced, has of the body alone. */

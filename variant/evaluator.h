@@ -84,6 +84,13 @@ double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator
 struct um_model_tables *um_variant_base_tables(struct um_context *context,
                                                struct um_variant_evaluator *evaluator);
 
+/* Light between surfaces by so many paths from now on, 0: as the scenario has them, on every
+ * geometry that is at hand; those that are traced later go by settings.instants, which the caller
+ * has set to the same. Light that is kept is given up; sunlight between mirrors is kept anew where
+ * the settings ask for it. After um_variant_base. Errors of um_model_precompute_photons. */
+enum um_status um_variant_paths(struct um_context *context, struct um_variant_evaluator *evaluator,
+                                int paths);
+
 /* The scenario with changes, its geometry and, with `heat`, its heat; heat NULL: none is asked for.
  * What is refused because of the changes is UM_ERR_REFUSED. Errors of um_model_variant_create,
  * um_model_precompute_over and the thermal solvers. Closed by the caller, after a failure too. */

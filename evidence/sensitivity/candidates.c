@@ -252,6 +252,28 @@ static enum um_status keep_different(struct um_context *context, bool asked,
   return UM_OK;
 }
 
+/* Signatures by few paths between surfaces: their sampling error is a share of themselves, and a
+ * hundredth of a signature takes a ten-thousandth from a score. What is promised to be a derivative
+ * has the paths of the values. */
+static enum um_status make_signatures(struct um_context *context,
+                                      struct um_sensitivity_point *point,
+                                      struct um_sensitivity_candidates *list)
+{
+  enum um_status status;
+  struct um_sensitivity_forward *f = point->forward;
+  double *few = NULL;
+  UM_CHECK(um_sensitivity_forward_few(context, f, !point->derivatives));
+  UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *few, &few));
+  UM_CHECK(um_sensitivity_forward_evaluate(context, f, point->addition, point->naddition, few));
+  point->base = few;
+  UM_CHECK(um_sensitivity_forward_noise(context, f, &point->noise));
+  UM_CHECK(um_sensitivity_signatures_create(context, point, list->candidate, list->count));
+  UM_CHECK(um_sensitivity_forward_few(context, f, false));
+done:
+  um_core_free(context, few);
+  return status;
+}
+
 enum um_status
 um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivity_forward *forward,
                                  const struct um_model_addition *addition, size_t naddition,
@@ -270,9 +292,7 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
   UM_CHECK(make_list(context, forward, addition, naddition, options, list));
   UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *list->base, &list->base));
   UM_CHECK(um_sensitivity_forward_evaluate(context, forward, addition, naddition, list->base));
-  point.base = list->base;
-  UM_CHECK(um_sensitivity_forward_noise(context, forward, &point.noise));
-  UM_CHECK(um_sensitivity_signatures_create(context, &point, list->candidate, list->count));
+  UM_CHECK(make_signatures(context, &point, list));
   if (options == NULL || options->nwanted == 0)
     UM_CHECK(keep_different(context, options != NULL && options->nonly > 0, list));
   *out = list;

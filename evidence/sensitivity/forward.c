@@ -114,7 +114,8 @@ static enum um_status evaluate_timed(struct um_context *context,
   enum um_status status = UM_OK;
   if (naddition == 0) {
     forward->cache->fresh_heat = forward->cache->moved_heat = false;
-    memcpy(value, forward->cache->base, forward->observations.count * sizeof *value);
+    memcpy(value, um_sensitivity_forward_base(forward),
+           forward->observations.count * sizeof *value);
   } else {
     um_core_quiet_begin(context);
     status = evaluate(context, forward, addition, naddition, move, value);
@@ -219,20 +220,59 @@ enum um_status um_sensitivity_forward_noise(struct um_context *context,
 {
   enum um_status status = UM_OK;
   double *value = NULL, largest = 0.0, begin = omp_get_wtime();
+  const double *base = um_sensitivity_forward_base(forward);
   *out = forward->cache->noise;
   if (!isnan(*out)) return UM_OK;
   um_core_quiet_begin(context);
   UM_CHECK(um_core_allocate(context, forward->observations.count, sizeof *value, &value));
   UM_CHECK(repeat(context, forward, value));
   for (size_t j = 0; j < forward->observations.count; j++)
-    largest =
-        fmax(largest, fabs(value[j] - forward->cache->base[j]) / forward->observations.sigma[j]);
+    largest = fmax(largest, fabs(value[j] - base[j]) / forward->observations.sigma[j]);
   *out = forward->cache->noise = largest;
 done:
   um_core_quiet_end(context);
   um_core_free(context, value);
   forward->evaluations++;
   forward->seconds += omp_get_wtime() - begin;
+  return status;
+}
+
+/* --- few paths -------------------------------------------------------------------------------- */
+
+const double *um_sensitivity_forward_base(const struct um_sensitivity_forward *forward)
+{
+  return forward->cache->few != NULL ? forward->cache->few : forward->cache->base;
+}
+
+static enum um_status go_few(struct um_context *context, struct um_sensitivity_forward *f)
+{
+  double *few = NULL, begin = omp_get_wtime();
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *few, &few));
+  UM_CHECK(predict(context, f, &f->base));
+  UM_CHECK(gather(context, f, few));
+  f->cache->few = few;
+  few = NULL;
+done:
+  um_core_free(context, few);
+  f->evaluations++;
+  f->seconds += omp_get_wtime() - begin;
+  return status;
+}
+
+enum um_status um_sensitivity_forward_few(struct um_context *context,
+                                          struct um_sensitivity_forward *forward, bool few)
+{
+  struct um_sensitivity_forward *f = forward;
+  int paths = few ? f->paths_before : f->paths;
+  if (f->paths == f->paths_before || f->instants.sampling.paths == paths) return UM_OK;
+  f->instants.sampling.paths = paths;
+  um_core_free(context, f->cache->few);
+  f->cache->few = NULL;
+  um_core_quiet_begin(context);
+  enum um_status status = um_variant_paths(context, f->evaluator, paths);
+  if (status == UM_OK && few) status = go_few(context, f);
+  um_core_quiet_end(context);
   return status;
 }
 
@@ -257,7 +297,7 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   struct um_compare_share_user user = {f->model, f->plan};
   struct um_compare_refinement refinement;
   f->samples = f->samples_before = f->model->scenario->optics->samples;
-  f->paths = f->model->scenario->optics->interreflection_samples;
+  f->paths = f->paths_before = f->model->scenario->optics->interreflection_samples;
   if (!has_light(f)) return um_model_run_with(context, base->model, base->tables, base->heat, out);
   UM_TRY(um_compare_refine_with(context, f->model, um_variant_base_tables(context, f->evaluator),
                                 base->heat, UM_COMPARE_MODEL_SHARE, um_compare_share_of_plan, &user,
@@ -266,14 +306,14 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   f->paths = refinement.interreflection;
   /* all look at the body with the same points */
   f->instants.sampling = base->tables->sampling;
-  return UM_OK;
+  return um_variant_paths(context, f->evaluator, f->instants.sampling.paths);
 }
 
 static enum um_status first_evaluation(struct um_context *context, struct um_sensitivity_forward *f)
 {
   struct um_sensitivity_forward_cache *cache = f->cache;
-  const struct um_variant_settings settings = {.instants = &f->instants,
-                                               .base = um_sensitivity_forward_heat(f).tolerance};
+  const struct um_variant_settings settings = {
+      .instants = &f->instants, .base = um_sensitivity_forward_heat(f).tolerance, .photons = true};
   struct um_model_result *result = NULL;
   enum um_status status;
   double begin = omp_get_wtime();
@@ -339,7 +379,7 @@ void um_sensitivity_forward_destroy(struct um_context *context,
   if (f->cache != NULL) {
     um_sensitivity_moves_destroy(context, &f->cache->moves);
     um_core_free(context, f->cache->predicted);
-    um_core_free(context, f->cache->base);
+    UM_FREE(context, f->cache->base, f->cache->few);
     um_core_free(context, f->cache);
   }
   um_sensitivity_observations_release(context, &f->observations);

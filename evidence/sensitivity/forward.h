@@ -14,12 +14,12 @@ struct um_sensitivity_forward {
   struct um_variant_tolerance tolerance;              /* of heat, of every evaluation */
   struct um_model *model; /* the scenario as it stands; of the base, too */
   struct um_compare_plan *plan;
-  struct um_model_instants instants;      /* of the plan */
+  struct um_model_instants instants;      /* of the plan; sampling: of every evaluation */
   struct um_variant_evaluator *evaluator; /* of the model at the plan's instants */
   struct um_variant base;                 /* the scenario as it stands: its geometry and heat */
   struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
-  int paths;                   /* optics.interreflection_samples of every evaluation */
+  int paths, paths_before;     /* the same of optics.interreflection_samples */
   size_t evaluations;          /* how often a model was computed */
   double seconds_first;        /* wall time of the first evaluation, geometry tables and run, and
                                   of the search for samples [s] */

@@ -9,6 +9,7 @@
 
 #include "base/core/order.h"
 #include "evidence/sensitivity/policy.h"
+#include "model/run/run.h"
 
 /* "body.+y" is also measured as "+y". */
 static bool is_of(const char *measured, const char *target)
@@ -56,15 +57,16 @@ static double modelled_cold(const struct um_model_result *result, const char *ta
 enum um_status um_sensitivity_scan(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    struct um_sensitivity_candidate *c,
-                                   struct um_sensitivity_forward_run *base)
+                                   struct um_model_result **base)
 {
   for (size_t p = 0; p < c->effect->nparameter; p++) {
     double at;
     if (!c->effect->parameters[p].is_temperature || c->target == NULL) continue;
     UM_TRY(measured_cold(context, forward, c->target, &at));
-    if (isnan(at) && base->result == NULL)
-      UM_TRY(um_sensitivity_forward_run(context, forward, NULL, 0, false, base));
-    if (isnan(at)) at = modelled_cold(base->result, c->target);
+    if (isnan(at) && *base == NULL)
+      UM_TRY(um_model_run_places(context, forward->model, forward->base.tables, forward->base.heat,
+                                 base));
+    if (isnan(at)) at = modelled_cold(*base, c->target);
     if (at >= c->effect->parameters[p].minimum && at <= c->effect->parameters[p].maximum)
       c->null_value[p] = at;
   }

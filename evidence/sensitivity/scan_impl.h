@@ -5,11 +5,11 @@
 #include "evidence/sensitivity/candidate.h"
 #include "evidence/sensitivity/forward.h"
 
-/* Set null values of temperatures to one that the target has. base: a run of the scenario, made
- * when needed; the caller releases. */
+/* Set null values of temperatures to one that the target has. base: temperatures of the scenario,
+ * made when needed; the caller destroys. */
 enum um_status um_sensitivity_scan(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    struct um_sensitivity_candidate *candidate,
-                                   struct um_sensitivity_forward_run *base);
+                                   struct um_model_result **base);
 
 #endif

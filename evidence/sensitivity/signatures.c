@@ -12,8 +12,7 @@
 #include "evidence/sensitivity/signature_impl.h"
 #include "variant/many.h"
 
-#define HEAT_MOVES 32                  /* moves in one run of heat */
-#define HEAT_BYTES ((size_t)128 << 20) /* that their answers may take */
+#define HEAT_MOVES 32 /* moves in one run of heat */
 
 /* Candidates that look for their heat together, or one candidate. */
 struct task {
@@ -227,7 +226,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
 {
   enum um_status status = UM_OK;
   struct um_sensitivity_forward *f = point->forward;
-  struct um_sensitivity_forward_run base = {.result = NULL};
+  struct um_model_result *base = NULL;
   struct work work = {.point = point, .candidate = candidate};
   bool possible = false;
   UM_TRY(um_variant_share(context, f->evaluator, UM_VARIANT_WARM, true));
@@ -247,7 +246,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   }
   um_core_progress_end(context);
 done:
-  um_sensitivity_forward_run_release(context, &base);
+  um_model_result_destroy(context, &base);
   UM_FREE(context, work.order, work.task, work.is_done);
   return status;
 }
