@@ -20,17 +20,21 @@ static struct um_model_addition addition_of(const struct um_sensitivity_move *mo
   return a;
 }
 
-/* The variant of a move; *share: of the step that it took. */
-static enum um_status move_open(struct um_context *context, struct um_sensitivity_forward *forward,
-                                const struct um_sensitivity_move *move, struct um_variant *v,
-                                double *share)
+static enum um_status moves_loads(struct um_context *context,
+                                  const struct um_sensitivity_forward *forward,
+                                  const struct um_sensitivity_move *move, bool *out)
 {
-  struct um_model_addition a = addition_of(move, SMALL);
+  const struct um_model_addition a = addition_of(move, SMALL);
+  return um_variant_reaches_geometry(context, forward->evaluator, &a, 1, out);
+}
+
+/* The variant of a move of a share of its step. */
+static enum um_status move_open(struct um_context *context, struct um_sensitivity_forward *forward,
+                                const struct um_sensitivity_move *move, double share,
+                                struct um_variant *v)
+{
+  const struct um_model_addition a = addition_of(move, share);
   const struct um_model_changes changes = {.addition = &a, .naddition = 1};
-  bool loads = false;
-  UM_TRY(um_variant_reaches_geometry(context, forward->evaluator, &a, 1, &loads));
-  *share = loads ? 1.0 : SMALL;
-  a = addition_of(move, *share);
   return um_variant_open(context, forward->evaluator, &changes, NULL, v);
 }
 
@@ -53,6 +57,7 @@ struct batch {
   struct um_model_thermal_move *move; /* [most] */
   struct um_variant *variant;         /* [most] of each, open until the run */
   size_t count, most;
+  double tolerance; /* of heat */
 };
 
 static void batch_clear(struct um_context *context, struct batch *batch)
@@ -86,7 +91,7 @@ static enum um_status batch_run(struct um_context *context, struct um_sensitivit
   bool light = false;
   double begin = omp_get_wtime();
   enum um_status status = um_model_thermal_sensitivity_create(
-      context, forward->base.heat, batch->move, batch->count, &run->thermal);
+      context, forward->base.heat, batch->move, batch->count, batch->tolerance, &run->thermal);
   if (status == UM_ERR_NUMERIC) {
     um_core_message_clear(context);
     return UM_OK;
@@ -123,17 +128,42 @@ bool um_sensitivity_moves_heat(const struct um_effect *effect)
   return (reach & UM_REACH_THERMAL) != 0 && (reach & UM_REACH_GEOMETRY) == 0;
 }
 
-/* Into the batch; a move that is refused is left to the one who takes the step. */
+/* A move that is refused is left to the one who takes the step. */
+static enum um_status left(struct um_context *context, enum um_status status)
+{
+  if (status != UM_ERR_REFUSED && status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
+  um_core_message_clear(context);
+  return UM_OK;
+}
+
+enum um_status um_sensitivity_moves_wanted(struct um_context *context,
+                                           struct um_sensitivity_forward *forward,
+                                           const struct um_sensitivity_move *move, bool *out)
+{
+  struct um_variant v = {0};
+  *out = false;
+  if (!um_sensitivity_moves_heat(move->effect)) return UM_OK;
+  um_core_quiet_begin(context);
+  enum um_status status = moves_loads(context, forward, move, out);
+  if (status == UM_OK && !*out) status = move_open(context, forward, move, SMALL, &v);
+  if (status == UM_OK && !*out) status = is_wanted(context, forward, &v, out);
+  um_variant_close(context, &v);
+  um_core_quiet_end(context);
+  return left(context, status);
+}
+
+/* Into the batch. */
 static enum um_status take(struct um_context *context, struct um_sensitivity_forward *forward,
                            const struct um_sensitivity_move *move, struct batch *batch)
 {
   struct um_sensitivity_moves *moves = forward->cache->moves;
   struct um_variant *v = &batch->variant[batch->count];
-  double share = NAN;
-  bool wanted = false;
+  bool loads = false, wanted = false;
   if (!um_sensitivity_moves_heat(move->effect)) return UM_OK;
   *v = (struct um_variant){0};
-  enum um_status status = move_open(context, forward, move, v, &share);
+  enum um_status status = moves_loads(context, forward, move, &loads);
+  double share = loads ? 1.0 : SMALL;
+  if (status == UM_OK) status = move_open(context, forward, move, share, v);
   if (status == UM_OK) status = is_wanted(context, forward, v, &wanted);
   if (status == UM_OK && wanted) {
     moves->moved[moves->count++] = (struct um_sensitivity_moved){.move = *move};
@@ -142,17 +172,16 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
     return UM_OK;
   }
   um_variant_close(context, v);
-  if (status != UM_ERR_REFUSED && status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
-  um_core_message_clear(context);
-  return UM_OK;
+  return left(context, status);
 }
 
 enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          struct um_sensitivity_forward *forward,
-                                         const struct um_sensitivity_move *move, size_t n)
+                                         const struct um_sensitivity_move *move, size_t n,
+                                         double tolerance)
 {
   enum um_status status;
-  struct batch batch = {.most = moves_most(forward)};
+  struct batch batch = {.most = moves_most(forward), .tolerance = tolerance};
   struct um_sensitivity_moves *moves = NULL;
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);

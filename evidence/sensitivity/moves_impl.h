@@ -11,13 +11,19 @@ bool um_sensitivity_moves_heat(const struct um_effect *effect);
 enum um_status um_sensitivity_moves_possible(struct um_context *context,
                                              const struct um_sensitivity_forward *forward,
                                              bool *out);
+/* *out: is heat of the move to be looked for together with others'? Where loads move, they are not
+ * traced for the answer: it is yes. A move that is refused is not. */
+enum um_status um_sensitivity_moves_wanted(struct um_context *context,
+                                           struct um_sensitivity_forward *forward,
+                                           const struct um_sensitivity_move *move, bool *out);
 /* What temperatures, and light by them alone, answer to the moves [n], at the scenario as it
  * stands, all in one run: into the forward's cache. Moves that heat does not feel, that are refused
  * or that um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their
- * own. Their targets live until _clear. */
+ * own. Their targets live until _clear. tolerance: of um_model_thermal_sensitivity_create. */
 enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          struct um_sensitivity_forward *forward,
-                                         const struct um_sensitivity_move *move, size_t n);
+                                         const struct um_sensitivity_move *move, size_t n,
+                                         double tolerance);
 void um_sensitivity_moves_clear(struct um_context *context, struct um_sensitivity_forward *forward);
 
 #endif

@@ -26,6 +26,11 @@
 /* rms change from which on a step is far from a derivative [sigma]. LAB. */
 #define UM_SENSITIVITY_FAR 30.0
 
+/* Of a step of temperatures that answer to a parameter, over the largest answer [1], where a
+ * signature and no derivative is wanted. A hundredth of a signature takes a ten-thousandth from a
+ * score. LAB. */
+#define UM_SENSITIVITY_HEAT_TOLERANCE 1e-3
+
 /* ---- derivatives (derivative.c) ---- */
 
 /* Of the first step, where nothing is integrated anew [1]: a thousandth of a prior width or so.

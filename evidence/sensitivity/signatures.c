@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "evidence/sensitivity/moves_impl.h"
+#include "evidence/sensitivity/policy.h"
 #include "evidence/sensitivity/scan_impl.h"
 #include "evidence/sensitivity/signature_impl.h"
 #include "variant/many.h"
@@ -74,7 +75,9 @@ static enum um_status find_moves(struct um_context *context, const struct work *
   struct um_sensitivity_move *move = NULL;
   UM_TRY(um_core_allocate(context, task->count, UM_EFFECT_PARAMETERS_MAX * sizeof *move, &move));
   size_t n = moves_of(work, task, move);
-  enum um_status status = um_sensitivity_moves_find(context, work->point->forward, move, n);
+  enum um_status status =
+      um_sensitivity_moves_find(context, work->point->forward, move, n,
+                                work->point->derivatives ? 0.0 : UM_SENSITIVITY_HEAT_TOLERANCE);
   um_core_free(context, move);
   return status;
 }
@@ -169,16 +172,32 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   return um_core_progress_step(context, work->heat ? ndone : 0);
 }
 
-/* Candidates that may move heat, in groups of about HEAT_MOVES moves, in their order. */
-static void make_groups(struct work *work, size_t count)
+/* Moves of a candidate that look for their heat together with others'. */
+static enum um_status count_wanted(struct um_context *context,
+                                   const struct um_sensitivity_point *point,
+                                   const struct um_sensitivity_candidate *c, size_t *out)
+{
+  struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
+  size_t n = um_sensitivity_signature_moves(c, move);
+  *out = 0;
+  for (size_t k = 0; k < n; k++) {
+    bool wanted;
+    UM_TRY(um_sensitivity_moves_wanted(context, point->forward, &move[k], &wanted));
+    *out += wanted;
+  }
+  return UM_OK;
+}
+
+/* Candidates that move heat, in groups of about HEAT_MOVES moves, in their order. */
+static enum um_status make_groups(struct um_context *context, struct work *work, size_t count)
 {
   size_t moves = 0, n = 0;
   work->ntask = 0;
   for (size_t i = 0; i < count; i++) {
-    struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
-    const struct um_sensitivity_candidate *c = &work->candidate[i];
-    size_t own = um_sensitivity_signature_moves(c, move);
-    if (own == 0 || !um_sensitivity_moves_heat(c->effect)) continue;
+    size_t own;
+    UM_TRY(um_core_stop_check(context, "signatures of effects were computed"));
+    UM_TRY(count_wanted(context, work->point, &work->candidate[i], &own));
+    if (own == 0) continue;
     if (work->ntask == 0 || moves + own > HEAT_MOVES) {
       work->task[work->ntask++] = (struct task){.first = n};
       moves = 0;
@@ -188,6 +207,7 @@ static void make_groups(struct work *work, size_t count)
     moves += own;
   }
   work->heat = true;
+  return UM_OK;
 }
 
 /* Every candidate that is left is a task. */
@@ -237,7 +257,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, count, sizeof *work.is_done, &work.is_done));
   for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
-  if (possible) make_groups(&work, count);
+  if (possible) UM_CHECK(make_groups(context, &work, count));
   um_core_progress_begin(context, "signatures of effects", work.ntask + count);
   status = run_tasks(context, &work);
   if (status == UM_OK) {

@@ -56,6 +56,7 @@ enum um_status um_model_thermal_sensitivity_is_applicable(
 struct work {
   struct um_context *context;
   const struct um_model_thermal_solution *heat;
+  double tolerance;
   struct um_model_solver_options *solver; /* [nmove] */
   struct um_thermal_variant *variant;     /* [nmove] */
   double *begin;                          /* [nmove][nnode] start temperatures of the moved [K] */
@@ -108,7 +109,7 @@ static enum um_status follow(struct work *w)
   const struct um_model_tables *p = heat->tables;
   const struct um_thermal_network *network = heat->model->body->network;
   const struct um_thermal_forcings forcings = {.variant = w->variant, .nvariant = w->to->nmove};
-  struct um_thermal_sensitivity_options how = {.tolerance = TOLERANCE};
+  struct um_thermal_sensitivity_options how = {.tolerance = w->tolerance};
   if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
     UM_TRY(um_thermal_sensitivity_periodic(w->context, network, p->loads, &heat->solver.options,
                                            heat->start, p->t_start, p->period, w->variant,
@@ -123,12 +124,13 @@ static enum um_status follow(struct work *w)
 enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
                                                    const struct um_model_thermal_solution *heat,
                                                    const struct um_model_thermal_move *move,
-                                                   size_t nmove,
+                                                   size_t nmove, double tolerance,
                                                    struct um_model_thermal_sensitivity **out)
 {
   enum um_status status;
   size_t n = um_thermal_network_nodes(heat->model->body->network);
-  struct work w = {.context = context, .heat = heat};
+  struct work w = {
+      .context = context, .heat = heat, .tolerance = tolerance > 0.0 ? tolerance : TOLERANCE};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *w.to, &w.to));
   *w.to = (struct um_model_thermal_sensitivity){

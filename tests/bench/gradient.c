@@ -68,7 +68,7 @@ static struct um_model_thermal_sensitivity *tangent(const struct bench *bench,
                                              SMALL * parameters[k].step};
   }
   bench_must(bench,
-             um_model_thermal_sensitivity_create(bench->context, base->heat, move, n, &found));
+             um_model_thermal_sensitivity_create(bench->context, base->heat, move, n, 0.0, &found));
   *seconds = bench_cpu() - begin;
   for (size_t k = 0; k < n; k++) um_variant_close(bench->context, &variant[k]);
   return found;

@@ -23,7 +23,8 @@
 #define SAFETY       0.8
 #define FASTEST      2.5   /* growth of a step */
 #define SLOWEST      0.2   /* and its shrinking */
-#define LINEAR_SHARE 1e-6  /* of a right side that iterated linear solutions leave */
+#define LINEAR_SHARE 1e-2  /* of the tolerance: what iterated solutions leave of a right side .. */
+#define LINEAR_LEAST 1e-6  /* .. and not less [1] */
 #define ERROR_SHARE  1e-2  /* the same of the error of a step */
 #define SHORTEST     1e-7  /* [s] */
 #define ROUNDING     3e-10 /* [K] over a parameter's step: answers below are not looked at */
@@ -174,7 +175,7 @@ static enum um_status stage_make(struct um_thermal_sensitivity_run *r, int i)
     UM_TRY(force(r, c, t));
     for (size_t k = 0; k < r->n; k++) next[k] = known[k] + gh * r->moved[k];
   }
-  UM_TRY(solve(r, LINEAR_SHARE, r->next));
+  UM_TRY(solve(r, fmax(LINEAR_LEAST, LINEAR_SHARE * r->tolerance), r->next));
   for (size_t k = 0; k < r->nactive * r->n; k++) r->stage[i][k] = (r->next[k] - r->known[k]) / gh;
   return UM_OK;
 }

@@ -172,7 +172,7 @@ static void differences(const struct um_model_options *options, const struct mov
                      UM_OK);
     if (!applicable) fail_msg("%s is not applicable", moves_of[k].effect);
   }
-  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, nmove, &s), UM_OK);
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, move, nmove, 0.0, &s), UM_OK);
   for (size_t k = 0; k < nmove; k++) {
     assert_int_equal(um_model_thermal_solution_move(context, heat, s, k, moves_of[k].width,
                                                     small[k].model, small[k].tables, &moved),
@@ -239,7 +239,7 @@ static void test_light(void **state)
   heat = world_solved(&options, 30.0, &base);
   struct world w = variant(&base, &power, 1e-2);
   const struct um_model_thermal_move move = {w.model, w.tables, 1e-2};
-  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(um_model_light_sensitivity_create(context, s, &by_heat), UM_OK);
   assert_int_equal(um_model_run_light(context, base.model, base.tables, heat, &light), UM_OK);
   assert_int_equal(um_model_light_move(context, light, by_heat, 0, 1.0, &linear), UM_OK);
@@ -311,7 +311,7 @@ static void test_refused(void **state)
         um_model_thermal_sensitivity_is_applicable(context, heat, w.model, w.tables, &applicable),
         UM_OK);
     if (applicable) fail_msg("%s is applicable", others[k].effect);
-    assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s),
+    assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s),
                      UM_ERR_INPUT);
     assert_null(s);
     assert_string_equal(um_core_message(context),
@@ -323,7 +323,7 @@ static void test_refused(void **state)
   const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
   struct world w = variant(&base, &power, 1e-3);
   const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
-  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(
       um_model_thermal_solution_move(context, heat, s, 0, -1e5, w.model, w.tables, &moved),
       UM_ERR_NUMERIC);
@@ -377,7 +377,7 @@ static void test_start_offset(void **state)
   assert_non_null(base.model->start_offset);
   struct world w = variant(&base, &power, 1e-3);
   const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
-  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, &s), UM_OK);
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(
       um_model_thermal_solution_move(context, heat, s, 0, 1.0, w.model, w.tables, &moved), UM_OK);
   const struct um_thermal_history *h = heat->run.history;

@@ -164,7 +164,7 @@ static enum um_status move(struct work *w)
   struct um_model_thermal_solution *heat = NULL;
   UM_CHECK(variant(w, "internal_power", "bus", &step, 1, &model));
   const struct um_model_thermal_move of = {model, s->tables, step};
-  UM_CHECK(um_model_thermal_sensitivity_create(w->context, s->heat, &of, 1, &sensitivity));
+  UM_CHECK(um_model_thermal_sensitivity_create(w->context, s->heat, &of, 1, 0.0, &sensitivity));
   UM_CHECK(um_model_thermal_solution_move(w->context, s->heat, sensitivity, 0, 1e3 * step, model,
                                           s->tables, &heat));
   keep(w, heat->run.history->temperature, heat->run.history->ntime * heat->run.history->nnode);
