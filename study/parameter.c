@@ -1,6 +1,6 @@
 /* What a value of a parameter does to the scenario: a key takes it, or the parameter of an effect.
  * `umbra run --set` or `--with` with 17 digits is the same point. */
-#include "study/parameter_impl.h"
+#include "study/parameter.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,8 +16,11 @@ static enum um_status blame(struct um_context *context, const struct um_study_fi
                             const char *key, enum um_status status)
 {
   const struct um_mark *at = um_document_mark_key(&p->at, key);
-  if (status == UM_ERR_INPUT || status == UM_ERR_REFUSED)
+  bool wrong = status == UM_ERR_INPUT || status == UM_ERR_REFUSED;
+  if (wrong && at->line > 0)
     um_core_message_prefix(context, "%s:%d: %s", at->file, at->line, at->path);
+  else if (wrong)
+    um_core_message_prefix(context, "%s", at->file);
   return status == UM_ERR_REFUSED ? UM_ERR_INPUT : status;
 }
 
@@ -48,12 +51,8 @@ static enum um_status material_binding(struct um_context *context, const struct 
         emittance ? um_materials_emittance(model->material[m], NULL, UM_REFERENCE_TEMPERATURE)
                   : um_materials_solar_absorptance(model->material[m], NULL);
   }
-  double had = value_in(model, out), least, largest;
+  double had = value_in(model, out);
   out->nominal = emittance ? had * out->of_record : had + out->of_record;
-  um_uncertainty_distribution_ends(&out->distribution, &least, &largest);
-  if (!(least > 0.0 && largest <= 1.0))
-    return um_document_mark_fail(context, &p->at, "%s from %g to %g; accepted: above 0, at most 1",
-                                 out->name, least, largest);
   return UM_OK;
 }
 
@@ -86,14 +85,8 @@ static enum um_status effect_binding(struct um_context *context, const struct um
     return blame(context, p, "parameter",
                  um_effects_refuse_parameter(context, effect, p->parameter));
   }
-  const struct um_effect_parameter *of = &effect->parameters[out->which];
-  double least, largest;
-  um_uncertainty_distribution_ends(&out->distribution, &least, &largest);
-  out->unit = of->unit;
+  out->unit = effect->parameters[out->which].unit;
   out->nominal = value_in(model, out);
-  if (!(least >= of->minimum && largest <= of->maximum))
-    return um_document_mark_fail(context, &p->at, "%s from %g to %g; accepted: %g to %g %s",
-                                 out->name, least, largest, of->minimum, of->maximum, of->unit);
   return UM_OK;
 }
 
@@ -112,6 +105,25 @@ enum um_status um_study_binding_find(struct um_context *context, const struct um
   if (p->key != NULL) out->nominal = um_document_number(model->document, p->key);
   if (p->unit != NULL) out->unit = p->unit;
   return UM_OK;
+}
+
+enum um_status um_study_binding_check_ends(struct um_context *context,
+                                           const struct um_study_binding *binding)
+{
+  const struct um_mark *at = &binding->file->at;
+  double least, largest;
+  if (binding->effect == NULL) return UM_OK;
+  const struct um_effect_parameter *of = &binding->effect->parameters[binding->which];
+  um_uncertainty_distribution_ends(&binding->distribution, &least, &largest);
+  if (!isnan(binding->of_record))
+    return least > 0.0 && largest <= 1.0
+               ? UM_OK
+               : um_document_mark_fail(context, at,
+                                       "%s from %g to %g; accepted: above 0, at most 1",
+                                       binding->name, least, largest);
+  if (least >= of->minimum && largest <= of->maximum) return UM_OK;
+  return um_document_mark_fail(context, at, "%s from %g to %g; accepted: %g to %g %s",
+                               binding->name, least, largest, of->minimum, of->maximum, of->unit);
 }
 
 bool um_study_binding_same(const struct um_study_binding *binding, const struct um_model *a,

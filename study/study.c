@@ -18,8 +18,10 @@ static enum um_status find_bindings(struct um_context *context, struct um_study 
   const struct um_study_file_parameter *p = study->file->parameters.items;
   study->nbinding = study->file->parameters.count;
   UM_TRY(um_core_allocate(context, study->nbinding, sizeof *study->binding, &study->binding));
-  for (size_t i = 0; i < study->nbinding; i++)
+  for (size_t i = 0; i < study->nbinding; i++) {
     UM_TRY(um_study_binding_find(context, study->model, &p[i], &study->binding[i]));
+    UM_TRY(um_study_binding_check_ends(context, &study->binding[i]));
+  }
   return um_study_bindings_check(context, study->model, study->binding, study->nbinding);
 }
 

@@ -4,7 +4,7 @@
 #define UMBRA_STUDY_STUDY_IMPL_H
 
 #include "study/identity.h"
-#include "study/parameter_impl.h"
+#include "study/parameter.h"
 #include "study/study.h"
 #include "variant/accuracy.h"
 

@@ -3,13 +3,17 @@
 #include <string.h>
 
 #include "base/core/suggestions.h"
-#include "study/parameter_impl.h"
+#include "study/parameter.h"
 
 #define PLACE 1024 /* longest place of a key [byte] */
 
 static enum um_status refuse(struct um_context *context, const struct um_study_binding *binding,
                              const struct um_study_binding *other)
 {
+  if (other->file->at.line == 0)
+    return um_document_mark_fail(context, &binding->file->at,
+                                 "moves what '%s' moves; accepted: one parameter for one number",
+                                 other->name);
   return um_document_mark_fail(context, &binding->file->at,
                                "'%s' moves what '%s' of line %d moves; accepted: one parameter for "
                                "one number",

@@ -1,7 +1,7 @@
-/* A parameter of a study: its name, its distribution, and what a value does to the scenario.
- * Private to study/. */
-#ifndef UMBRA_STUDY_PARAMETER_IMPL_H
-#define UMBRA_STUDY_PARAMETER_IMPL_H
+/* A parameter of a study or of a forecast: its name, its distribution, and what a value does to the
+ * scenario. */
+#ifndef UMBRA_STUDY_PARAMETER_H
+#define UMBRA_STUDY_PARAMETER_H
 
 #include "base/uncertainty/distribution.h"
 #include "model/build/model.h"
@@ -19,11 +19,16 @@ struct um_study_binding {
   double of_record;               /* of a material: the property that its record has; else NaN */
   double nominal;                 /* value that the scenario has; NaN: unknown */
 };
-/* Against the scenario as it stands. UM_ERR_INPUT with file and line of the study: no such
- * material, effect, parameter or target, a property outside 0 to 1. */
+/* Against the scenario as it stands; a parameter that was not read from a file has a mark of line
+ * 0, whose `file` says where it came from. UM_ERR_INPUT with file and line of the study: no such
+ * material, effect, parameter or target. */
 enum um_status um_study_binding_find(struct um_context *context, const struct um_model *model,
                                      const struct um_study_file_parameter *parameter,
                                      struct um_study_binding *out);
+/* UM_ERR_INPUT likewise: the ends of its distribution lie where the effect, or a property, has no
+ * values. */
+enum um_status um_study_binding_check_ends(struct um_context *context,
+                                           const struct um_study_binding *binding);
 /* Have two models the same value of the effect's parameter? True of a key. */
 bool um_study_binding_same(const struct um_study_binding *binding, const struct um_model *a,
                            const struct um_model *b);
