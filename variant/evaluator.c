@@ -15,6 +15,7 @@ struct um_variant_evaluator {
   struct um_model_tables *tables;         /* its geometry; NULL: not yet */
   struct um_model_thermal_solution *heat; /* and heat */
   struct um_optics_lightcurve *light;     /* and light */
+  bool lent;                              /* geometry and heat are an open variant's */
   double seconds_heat;                    /* wall time that it took [s] */
   struct um_variant_cache cache;          /* of variants */
 };
@@ -30,6 +31,17 @@ enum um_status um_variant_evaluator_create(struct um_context *context, const str
   return UM_OK;
 }
 
+enum um_status um_variant_evaluator_of(struct um_context *context, const struct um_variant *variant,
+                                       const struct um_variant_settings *settings,
+                                       struct um_variant_evaluator **out)
+{
+  UM_TRY(um_variant_evaluator_create(context, variant->model, settings, out));
+  (*out)->lent = true;
+  (*out)->tables = variant->own_tables;
+  (*out)->heat = variant->own_heat;
+  return UM_OK;
+}
+
 void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator)
 {
@@ -37,8 +49,10 @@ void um_variant_evaluator_destroy(struct um_context *context,
   if (e == NULL) return;
   um_variant_cache_clear(context, &e->cache);
   um_optics_lightcurve_destroy(context, &e->light);
-  um_model_thermal_solution_destroy(context, &e->heat);
-  um_model_tables_destroy(context, &e->tables);
+  if (!e->lent) {
+    um_model_thermal_solution_destroy(context, &e->heat);
+    um_model_tables_destroy(context, &e->tables);
+  }
   um_core_free(context, e);
   *evaluator = NULL;
 }

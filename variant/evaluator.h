@@ -62,6 +62,13 @@ struct um_variant_evaluator;
 enum um_status um_variant_evaluator_create(struct um_context *context, const struct um_model *model,
                                            const struct um_variant_settings *settings,
                                            struct um_variant_evaluator **out);
+/* The same of a variant that is open over instants of its own, with heat: its model is the scenario
+ * as it stands, its geometry and heat are that one's, and are lent: it is closed after the
+ * evaluator is destroyed, and not given other heat before. settings->instants: those that it was
+ * opened over; settings->base is not used. UM_ERR_MEMORY. */
+enum um_status um_variant_evaluator_of(struct um_context *context, const struct um_variant *variant,
+                                       const struct um_variant_settings *settings,
+                                       struct um_variant_evaluator **out);
 void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator);
 /* Another bound in bytes for what is kept from now on; the one before. */
