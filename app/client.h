@@ -85,8 +85,8 @@ struct um_app_options {
   const char *share;
   bool resume;
   const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
-  const char **station;
-  size_t nstation;
+  const char **station, **uncertain;    /* and --uncertain */
+  size_t nstation, nuncertain;
   char *command; /* the command as typed */
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/app.h"
 #include "app/batch.h"
+#include "app/forecast.h"
 #include "app/terminal.h"
 #include "base/batch/batch.h"
 #include "base/core/constants.h"
@@ -16,7 +17,6 @@
 #include "study/identity.h"
 
 #define DAYS_MOST 400.0
-#define SYSTEMS   512 /* longest list of bands with their systems [byte] */
 
 /* A number and what is behind it; false: none, or not finite. */
 static bool number(const char *text, double *out, const char **behind)
@@ -75,6 +75,8 @@ static enum um_status parse(struct um_context *context, const struct um_app_opti
   ask->days = 1.0;
   ask->minimum_elevation = NAN;
   ask->station = station;
+  ask->uncertain = options->uncertain;
+  ask->nuncertain = options->nuncertain;
   if (options->time_utc != NULL)
     UM_TRY(um_orbit_time_parse(context, options->time_utc, &ask->from));
   UM_TRY(parse_range(context, "--days", options->days, 1e-3, DAYS_MOST, &ask->days));
@@ -84,116 +86,6 @@ static enum um_status parse(struct um_context *context, const struct um_app_opti
   for (; ask->nstation < options->nstation; ask->nstation++)
     UM_TRY(parse_station(context, options->station[ask->nstation], &station[ask->nstation]));
   return UM_OK;
-}
-
-static void print_time(double t, const char *otherwise)
-{
-  char utc[32];
-  if (isfinite(t)) um_orbit_time_format(t, utc);
-  printf(" %-8.8s", isfinite(t) ? utc + 11 : otherwise);
-}
-
-/* What the shadow does to a pass. */
-static const char *shadow_words(const struct um_forecast_pass *pass)
-{
-  if (isfinite(pass->entry) || isfinite(pass->exit)) return "-";
-  return pass->sunlit_at_rise ? "sunlit" : "in it";
-}
-
-static void print_pass(const struct um_forecast *f, const struct um_forecast_pass *pass)
-{
-  char date[32];
-  um_orbit_time_format(pass->pass.rise, date);
-  printf("%.10s", date);
-  print_time(pass->pass.rise, "");
-  print_time(pass->pass.culmination, "");
-  print_time(pass->pass.set, "");
-  printf(" %4.0f %4.0f %5.0f", pass->pass.culmination_elevation / UM_DEG,
-         pass->pass.culmination_azimuth / UM_DEG, pass->pass.culmination_range * 1e-3);
-  print_time(pass->entry, shadow_words(pass));
-  print_time(pass->exit, "-");
-  printf(" %5.0f %-12s", pass->sun_elevation / UM_DEG, um_forecast_sky(pass->sun_elevation));
-  if (pass->reason != NULL) {
-    printf(" not computed: %s\n", pass->reason);
-    return;
-  }
-  for (size_t b = 0; b < f->nband; b++) {
-    const struct um_forecast_band *band = &pass->band[b];
-    if (f->thermal[b])
-      printf(" %9.2e", band->largest);
-    else if (isfinite(band->brightest))
-      printf(" %6.2f", band->brightest);
-    else
-      printf(" %6s", "dark");
-    if (!f->thermal[b] && isfinite(band->culmination))
-      printf(" %6.2f", band->culmination);
-    else if (!f->thermal[b])
-      printf(" %6s", "dark");
-  }
-  for (size_t p = 0; p < f->nplace; p++) printf(" %7.1f", pass->place[p].mean);
-  printf("\n");
-}
-
-static void print_head(const struct um_forecast *f)
-{
-  printf("%-10s %-8s %-8s %-8s %4s %4s %5s %-8s %-8s %5s %-12s", "date", "rise", "highest", "set",
-         "elev", "az", "km", "in shade", "till", "Sun", "sky");
-  for (size_t b = 0; b < f->nband; b++) {
-    if (f->thermal[b])
-      printf(" %9.9s", f->band[b]);
-    else
-      printf(" %6.6s %6s", f->band[b], "at top");
-  }
-  for (size_t p = 0; p < f->nplace; p++) printf(" %7.7s", f->place[p]);
-  printf("\n");
-}
-
-/* " (V: Vega, vis: AB)"; empty: no band has magnitudes here. */
-static void name_systems(const struct um_forecast *f, char out[SYSTEMS])
-{
-  size_t used = 0;
-  out[0] = '\0';
-  for (size_t b = 0; b < f->nband && used < SYSTEMS; b++)
-    if (!f->thermal[b])
-      used += (size_t)snprintf(out + used, SYSTEMS - used, "%s%.40s: %s", used == 0 ? " (" : ", ",
-                               f->band[b], um_forecast_system(f, b));
-  if (used > 0 && used < SYSTEMS) snprintf(out + used, SYSTEMS - used, ")");
-}
-
-static void print(const struct um_forecast *f, const char *folder)
-{
-  char systems[SYSTEMS];
-  name_systems(f, systems);
-  for (size_t s = 0; s < f->nstation; s++) {
-    size_t n = 0;
-    for (size_t i = 0; i < f->npass; i++) n += f->pass[i].station == s ? 1 : 0;
-    printf("%s over %s: %zu passes above %g deg, UTC; bands: brightest magnitude and that at "
-           "culmination%s, or largest irradiance [W/m^2]; mean temperatures [K]\n",
-           f->name, f->station[s].name, n, f->minimum_elevation / UM_DEG, systems);
-    if (n > 0) print_head(f);
-    for (size_t i = 0; i < f->npass; i++)
-      if (f->pass[i].station == s) print_pass(f, &f->pass[i]);
-  }
-  double delay = 0.0;
-  for (size_t i = 0; i < f->npass; i++) delay = fmax(delay, f->pass[i].delay);
-  if (delay > 1.0)
-    printf("two-line elements are old: times may be wrong by %.2g s (1 sigma) at the end\n", delay);
-  printf("results in %s\n", folder);
-}
-
-static void json(const struct um_forecast *f, const char *folder)
-{
-  size_t failed = 0;
-  for (size_t i = 0; i < f->npass; i++) failed += f->pass[i].reason != NULL ? 1 : 0;
-  um_core_json_text(stdout, "{", "name", f->name);
-  um_core_json_text(stdout, ", ", "folder", folder);
-  printf(", \"passes\": %zu, \"not_computed\": %zu, \"magnitudes\": {", f->npass, failed);
-  for (size_t b = 0; b < f->nband; b++) {
-    if (b > 0) printf(", ");
-    um_core_json_string(stdout, f->band[b]);
-    printf(": \"%s\"", um_forecast_system(f, b));
-  }
-  printf("}}\n");
 }
 
 static enum um_status write_file(struct um_context *context, struct um_core_folder *folder,
@@ -218,6 +110,8 @@ static enum um_status compute_and_write(struct um_context *context,
   UM_CHECK(write_file(context, folder, "passes.csv", f, um_forecast_csv));
   UM_CHECK(write_file(context, folder, "curves.csv", f, um_forecast_curves));
   UM_CHECK(write_file(context, folder, "passes.ics", f, um_forecast_ics));
+  if (f->nuncertain > 0)
+    UM_CHECK(write_file(context, folder, "contributions.csv", f, um_forecast_contributions));
   if (!options->no_plots) UM_CHECK(um_forecast_plot(context, f, um_core_folder_path(folder)));
   UM_CHECK(um_core_folder_commit(context, &folder));
 done:
@@ -239,9 +133,9 @@ static enum um_status lead(struct um_context *context, const struct um_app_optio
   UM_TRY(compute_and_write(context, options, f, batch, out));
   um_app_terminal_clear();
   if (options->json)
-    json(f, out);
+    um_app_forecast_json(f, out);
   else
-    print(f, out);
+    um_app_forecast_print(f, out);
   return UM_OK;
 }
 

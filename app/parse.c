@@ -236,7 +236,7 @@ bool um_app_options_allocate(struct um_app_options *options, int argc)
                                 &options->effect_file, &options->picture,  &options->only,
                                 &options->exclude,     &options->nuisance, &options->add,
                                 &options->star,        &options->station,  &options->what_if,
-                                &options->more};
+                                &options->uncertain,   &options->more};
   size_t n = sizeof list / sizeof list[0];
   const char **text = calloc((size_t)argc * n, sizeof *text);
   for (size_t i = 0; text != NULL && i < n; i++) *list[i] = text + i * (size_t)argc;

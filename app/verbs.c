@@ -38,7 +38,8 @@ static const struct um_app_verb verbs[] = {
          "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
      .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes},
     {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
-     .accepts = "out days from station minimum-elevation " CHANGES " workers share resume " RESULTS,
+     .accepts = "out days from station minimum-elevation uncertain " CHANGES
+                " workers share resume " RESULTS,
      .about =
          "Computes every pass of the station, or of several, and writes passes.csv, curves.csv, "
          "a calendar (passes.ics) and a picture: rise, culmination, set, shadow, magnitude, "
@@ -48,6 +49,8 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
                  "umbra forecast scenarios/envisat-graz-2016 --station Graz,47.067,15.493,495 "
                  "--station Zimmerwald,46.877,7.465,951\n"
+                 "umbra forecast scenarios/envisat-graz-2016 --uncertain emittance:mli=0.05 "
+                 "--uncertain internal_power:bus=20\n"
                  "mpirun -n 4 umbra forecast scenarios/envisat-graz-2016 --days 30\n",
      .run = um_app_forecast},
     {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR or factored",

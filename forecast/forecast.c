@@ -21,12 +21,14 @@ struct held {
   struct um_forecast forecast;
   struct um_forecast_work work;
   struct um_forecast_ask ask;
-  struct um_model *model;           /* the scenario as it stands */
-  struct um_model_instants instant; /* one, of `from` */
-  size_t *place;                    /* [nplace] of the body's */
-  double *coordinate;               /* [npass][UM_FORECAST_COORDINATES] */
-  struct um_forecast_band *band;    /* [npass][nband] */
-  struct um_forecast_place *places; /* [npass][nplace] */
+  struct um_model *model;              /* the scenario as it stands */
+  struct um_model_instants instant;    /* one, of `from` */
+  size_t *place;                       /* [nplace] of the body's */
+  double *coordinate;                  /* [npass][UM_FORECAST_COORDINATES] */
+  struct um_forecast_band *band;       /* [npass][nband] */
+  struct um_forecast_place *places;    /* [npass][nplace] */
+  struct um_forecast_band *band_sigma; /* as those; of what is uncertain */
+  struct um_forecast_place *places_sigma;
   struct um_study_identity *identity;
   bool holds_files;
 };
@@ -100,7 +102,22 @@ static enum um_status name_stations(struct um_context *context, struct held *h,
   return UM_OK;
 }
 
-/* The scenario with all that it is made of, and the stations: a pass of these has its values. */
+static enum um_status read_uncertain(struct um_context *context, struct held *h)
+{
+  struct um_forecast *f = &h->forecast;
+  struct um_forecast_unknowns *u = &h->work.unknowns;
+  UM_TRY(um_forecast_uncertain_read(context, &h->work, h->ask.uncertain, h->ask.nuncertain, u));
+  UM_TRY(um_core_allocate(context, u->n, sizeof *f->uncertain, &f->uncertain));
+  for (; f->nuncertain < u->n; f->nuncertain++) {
+    const struct um_study_binding *b = &u->binding[f->nuncertain];
+    f->uncertain[f->nuncertain] =
+        (struct um_forecast_uncertain){b->name, b->unit, b->nominal, u->sigma[f->nuncertain]};
+  }
+  return UM_OK;
+}
+
+/* The scenario with all that it is made of, the stations and what is uncertain: a pass of these has
+ * its values. */
 static enum um_status identify(struct um_context *context, struct held *h,
                                const struct um_model *model)
 {
@@ -111,7 +128,9 @@ static enum um_status identify(struct um_context *context, struct held *h,
     const double place[3] = {s->latitude, s->longitude, s->height};
     stations = um_core_digest(stations, place, sizeof place);
   }
-  return um_study_identity_add(context, h->identity, "the stations", stations);
+  UM_TRY(um_study_identity_add(context, h->identity, "the stations", stations));
+  return um_study_identity_add(context, h->identity, "the uncertain parameters",
+                               um_forecast_uncertain_digest(&h->work.unknowns));
 }
 
 enum um_status um_forecast_open(struct um_context *context, const struct um_forecast *forecast,
@@ -140,6 +159,8 @@ static enum um_status prepare(struct um_context *context, struct held *h)
                              : h->ask.minimum_elevation;
   UM_TRY(name_outputs(context, h, model));
   UM_TRY(um_forecast_pin(context, model, &h->work));
+  UM_TRY(read_uncertain(context, h));
+  h->work.thermal = f->thermal;
   h->work.light_has_sign = um_study_light_has_sign(model);
   h->instant = (struct um_model_instants){.time = &f->from, .count = 1, .sparse = true};
   UM_TRY(um_variant_evaluator_create(context, model, &settings, &h->work.evaluator));
@@ -158,11 +179,12 @@ enum um_status um_forecast_create(struct um_context *context, const struct um_fo
   UM_CHECK(prepare(context, h));
   for (size_t s = 0; s < f->nstation; s++) UM_CHECK(um_forecast_find(context, &h->work, f, s));
   UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
+  h->work.checked = f->npass > 0 ? f->pass[0].start : (double)NAN;
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;
   h->work.place = h->place;
   task->work.ncoordinate = UM_FORECAST_COORDINATES;
-  task->work.nvalue = um_forecast_values(f->nband, f->nplace);
+  task->work.nvalue = um_forecast_record(&h->work);
   task->work.compute = um_forecast_compute;
   task->accepts = um_forecast_accepts;
   task->work.user = &h->work;
@@ -188,23 +210,49 @@ static void take_system(const struct um_forecast *f, struct um_forecast_band *ba
   }
 }
 
-/* Give every pass its part of the values. */
-static void take_values(struct held *h, size_t nvalue)
+/* Bands and places out of a record, where they stand in typed arrays; what is behind them. */
+static double *take_arrays(const struct um_forecast *f, double *value,
+                           struct um_forecast_band *band, struct um_forecast_place *place)
+{
+  memcpy(band, value, f->nband * sizeof *band);
+  value += f->nband * sizeof *band / sizeof *value;
+  memcpy(place, value, f->nplace * sizeof *place);
+  return value + f->nplace * sizeof *place / sizeof *value;
+}
+
+/* Of what is uncertain, behind the values of a pass. */
+static void take_sigmas(struct held *h, size_t i, double *record)
 {
   struct um_forecast *f = &h->forecast;
+  struct um_forecast_pass *pass = &f->pass[i];
+  size_t nvalue = um_forecast_values(f->nband, f->nplace);
+  struct um_forecast_band *band = h->band_sigma + i * f->nband;
+  struct um_forecast_place *place = h->places_sigma + i * f->nplace;
+  pass->curve_sigma = take_arrays(f, record + 1, band, place) + UM_FORECAST_CURVE;
+  pass->band_sigma = band;
+  pass->place_sigma = place;
+  pass->part = record + nvalue;
+  pass->bend = pass->part + f->nuncertain * (f->nband + f->nplace);
+}
+
+/* Give every pass its part of the values. */
+static void take_values(struct held *h, size_t nrecord)
+{
+  struct um_forecast *f = &h->forecast;
+  size_t nvalue = um_forecast_values(f->nband, f->nplace);
   for (size_t i = 0; i < f->npass; i++) {
-    double *value = f->value + i * nvalue;
+    double *value = f->value + i * nrecord;
     struct um_forecast_pass *pass = &f->pass[i];
-    pass->delay = *value++;
-    memcpy(h->band + i * f->nband, value, f->nband * sizeof *h->band);
-    value += f->nband * sizeof *h->band / sizeof *value;
-    memcpy(h->places + i * f->nplace, value, f->nplace * sizeof *h->places);
-    value += f->nplace * sizeof *h->places / sizeof *value;
-    pass->band = h->band + i * f->nband;
-    pass->place = h->places + i * f->nplace;
+    struct um_forecast_band *band = h->band + i * f->nband;
+    struct um_forecast_place *place = h->places + i * f->nplace;
+    pass->delay = *value;
+    if (f->nuncertain > 0) take_sigmas(h, i, value + nvalue);
+    value = take_arrays(f, value + 1, band, place);
+    pass->band = band;
+    pass->place = place;
     pass->curve_at = value;
     pass->curve = value + UM_FORECAST_CURVE;
-    take_system(f, h->band + i * f->nband, value + UM_FORECAST_CURVE);
+    take_system(f, band, value + UM_FORECAST_CURVE);
   }
 }
 
@@ -214,7 +262,7 @@ enum um_status um_forecast_run(struct um_context *context, struct um_forecast *f
   enum um_status status;
   struct held *h = (struct held *)(void *)forecast; /* its first member */
   struct um_forecast *f = forecast;
-  size_t nvalue = um_forecast_values(f->nband, f->nplace);
+  size_t nvalue = um_forecast_record(&h->work), sigmas = f->nuncertain > 0 ? f->npass : 0;
   char **reason = NULL;
   struct um_variant base;
   UM_CHECK(um_core_allocate(context, f->npass, UM_FORECAST_COORDINATES * sizeof(double),
@@ -222,6 +270,9 @@ enum um_status um_forecast_run(struct um_context *context, struct um_forecast *f
   UM_CHECK(um_core_allocate(context, f->npass, nvalue * sizeof(double), &f->value));
   UM_CHECK(um_core_allocate(context, f->npass * f->nband, sizeof *h->band, &h->band));
   UM_CHECK(um_core_allocate(context, f->npass * f->nplace, sizeof *h->places, &h->places));
+  UM_CHECK(um_core_allocate(context, sigmas * f->nband, sizeof *h->band_sigma, &h->band_sigma));
+  UM_CHECK(
+      um_core_allocate(context, sigmas * f->nplace, sizeof *h->places_sigma, &h->places_sigma));
   UM_CHECK(um_core_allocate(context, f->npass, sizeof *reason, &reason));
   for (size_t i = 0; i < f->npass; i++) {
     const struct um_forecast_pass *p = &f->pass[i];
@@ -234,6 +285,7 @@ enum um_status um_forecast_run(struct um_context *context, struct um_forecast *f
   for (size_t i = 0; i < f->npass; i++) f->pass[i].reason = reason[i];
   um_batch_tell_lost(context, batch, h->coordinate, f->npass, "passes.csv: row", 1);
   take_values(h, nvalue);
+  um_forecast_tell_bends(context, f);
 done:
   um_core_free(context, reason);
   return status;
@@ -252,10 +304,12 @@ void um_forecast_destroy(struct um_context *context, struct um_forecast **foreca
   um_variant_evaluator_destroy(context, &h->work.evaluator);
   um_model_destroy(context, &h->model);
   um_study_identity_destroy(context, &h->identity);
+  um_forecast_uncertain_clear(context, &h->work.unknowns);
   if (h->holds_files) um_core_snapshot_end(context);
-  void *const block[] = {h->work.pin,   f->pass,    f->band,   f->thermal, f->vega_ab,
-                         f->place,      f->station, f->value,  f->name,    h->place,
-                         h->coordinate, h->band,    h->places, h};
+  void *const block[] = {h->work.pin,   f->pass,    f->band,   f->thermal,    f->vega_ab,
+                         f->place,      f->station, f->value,  f->name,       h->place,
+                         h->coordinate, h->band,    h->places, h->band_sigma, h->places_sigma,
+                         f->uncertain,  h};
   for (size_t i = 0; i < sizeof block / sizeof *block; i++) um_core_free(context, block[i]);
   *forecast = NULL;
 }

@@ -8,8 +8,9 @@
 #include "model/build/model.h"
 #include "orbit/observer.h"
 
-#define UM_FORECAST_CURVE 60    /* instants of the curves that are kept of a pass */
-#define UM_FORECAST_MOST  10000 /* passes */
+#define UM_FORECAST_CURVE          60    /* instants of the curves that are kept of a pass */
+#define UM_FORECAST_MOST           10000 /* passes */
+#define UM_FORECAST_UNCERTAIN_MOST 100   /* parameters */
 
 struct um_forecast_station {
   const char *name;                   /* borrowed */
@@ -25,7 +26,12 @@ struct um_forecast_ask {
   double minimum_elevation;                  /* [rad]; NaN: the scenario's */
   const struct um_forecast_station *station; /* [nstation] */
   size_t nstation;                           /* 0: the scenario's station */
-  const char *version;                       /* of the program, NULL: none */
+  /* [nuncertain] as a user typed them, each with its standard deviation in its own unit:
+   * "effect[:target],name=sigma[,name=sigma]..", "effect[:target]=sigma" where the effect has one
+   * parameter, "key=sigma" of a number that the scenario states (um_forecast_uncertain_read) */
+  const char *const *uncertain;
+  size_t nuncertain;
+  const char *version; /* of the program, NULL: none */
 };
 
 /* Band of a pass. Magnitudes are of the band's system, exo-atmospheric, NaN where nothing is seen.
@@ -45,6 +51,12 @@ struct um_forecast_place {
   double mean, lowest, highest;
 };
 
+/* A parameter that is uncertain; texts are the forecast's. */
+struct um_forecast_uncertain {
+  const char *name, *unit; /* "emittance:mli.emittance_factor"; "" where no unit is known */
+  double value, sigma;     /* in the scenario, 1 sigma [its unit] */
+};
+
 struct um_forecast_pass {
   size_t station;
   struct um_orbit_pass pass;
@@ -60,6 +72,18 @@ struct um_forecast_pass {
   const struct um_forecast_place *place; /* [nplace] */
   const double *curve_at;                /* [UM_FORECAST_CURVE] t_tai [s] */
   const double *curve; /* [nband][2][UM_FORECAST_CURVE] magnitude [mag], irradiance [W/m^2] */
+  /* 1 sigma of these by what is uncertain, to first order; NaN where it is not known, and of times
+   * and errors. NULL: nothing is uncertain */
+  const struct um_forecast_band *band_sigma;
+  const struct um_forecast_place *place_sigma;
+  const double *curve_sigma;
+  /* [nuncertain][nband + nplace] what each parameter does at 1 sigma: to a band's brightest
+   * magnitude [mag], or its largest irradiance where it shines by its own heat [W/m^2], to a
+   * place's mean [K]. part: to first order, signed; bend: what is beyond, absolute; NaN: not known,
+   * where there is one side alone, or heat was told by a tangent, which is so in all passes but the
+   * first
+   */
+  const double *part, *bend;
 };
 
 struct um_forecast {
@@ -72,8 +96,10 @@ struct um_forecast {
   bool *thermal;                       /* [nband] shines by its own heat there */
   double *vega_ab; /* [nband] AB magnitude of magnitude 0 relative to Vega; NaN: the band's
                     * magnitudes are AB */
-  struct um_forecast_pass *pass; /* [npass] by rise */
-  double *value;                 /* what passes point into */
+  struct um_forecast_pass *pass;           /* [npass] by rise */
+  double *value;                           /* what passes point into */
+  struct um_forecast_uncertain *uncertain; /* [nuncertain] */
+  size_t nuncertain;
 };
 
 /* Words for the Sun's elevation: "day" above -0.833 deg (the upper limb with refraction), "civil",
@@ -86,7 +112,8 @@ const char *um_forecast_system(const struct um_forecast *forecast, size_t band);
 /* The passes that culminate in [from, from + days], without what a run gives; and a batch task for
  * the runs, whose `ncoordinate`, `nvalue`, `compute`, `accepts` and `user` are set. The forecast
  * outlives the task's batch; `ask` too, with what it points to. UM_ERR_INPUT: no station, no orbit,
- * more than UM_FORECAST_MOST passes; errors of um_model_create. The caller destroys. */
+ * more than UM_FORECAST_MOST passes, something uncertain that the scenario has not or cannot be
+ * moved; errors of um_model_create. The caller destroys. */
 enum um_status um_forecast_create(struct um_context *context, const struct um_forecast_ask *ask,
                                   struct um_batch_task *task, struct um_forecast **out);
 /* Open the records of the task; errors of um_study_identity_open. */
@@ -95,6 +122,9 @@ enum um_status um_forecast_open(struct um_context *context, const struct um_fore
 /* Compute the passes; a pass that cannot be computed has its reason. Errors of um_batch_run. */
 enum um_status um_forecast_run(struct um_context *context, struct um_forecast *forecast,
                                struct um_batch *batch);
+/* The parameter that gives most of a band's variance over all passes that were computed, and its
+ * share of it [1]; SIZE_MAX: none moves the band. */
+size_t um_forecast_leader(const struct um_forecast *forecast, size_t band, double *share);
 /* Accepts NULL, sets NULL. */
 void um_forecast_destroy(struct um_context *context, struct um_forecast **forecast);
 

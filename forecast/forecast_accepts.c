@@ -37,11 +37,21 @@ static bool is_curve(const double *at, const double *curve, size_t nband, bool h
   return true;
 }
 
+/* Behind the values: what is uncertain. */
+static bool are_sigmas(const struct um_forecast_work *work, const double *sigma)
+{
+  size_t n = um_forecast_values(work->nband, work->nplace), all = um_forecast_record(work) - n;
+  for (size_t k = 0; k < all; k++) /* parts of parameters have a sign */
+    if (isinf(sigma[k]) || (k < n && sigma[k] < 0.0)) return false;
+  return true;
+}
+
 bool um_forecast_accepts(void *user, const double *coordinate, const double *value)
 {
   const struct um_forecast_work *work = user;
   struct um_forecast_band band;
   struct um_forecast_place place;
+  if (!are_sigmas(work, value + um_forecast_values(work->nband, work->nplace))) return false;
   const double delay = *value++, *at = value;
   at += work->nband * sizeof band / sizeof *at + work->nplace * sizeof place / sizeof *at;
   const double from = at[0], to = at[UM_FORECAST_CURVE - 1];

@@ -131,11 +131,11 @@ static struct um_forecast_place place_of(const struct um_model_result *r, size_t
   return out;
 }
 
-/* In the order of um_forecast_values. */
-static void store(const struct um_forecast_work *work, const struct um_model_tables *p,
-                  const struct um_model_result *r, double delay, double culmination, double *value)
+void um_forecast_store(const struct um_forecast_work *work, const struct um_variant *variant,
+                       const struct um_model_result *r, double culmination, double *value)
 {
-  *value++ = delay;
+  const struct um_model_tables *p = variant->tables;
+  *value++ = variant->model->orbit_delay;
   for (size_t b = 0; b < work->nband; b++) {
     struct um_forecast_band band = band_of(p, r, b, culmination);
     memcpy(value, &band, sizeof band);
@@ -172,7 +172,10 @@ enum um_status um_forecast_compute(struct um_context *context, void *user, const
                                NAN, &changes));
   UM_CHECK(um_variant_open_over(context, work->evaluator, &own_window, &changes.all, &heat, &v));
   UM_CHECK(um_variant_observe(context, work->evaluator, &v, &result));
-  store(work, v.tables, result, v.model->orbit_delay, coordinate[3], value);
+  um_forecast_store(work, &v, result, coordinate[3], value);
+  if (work->unknowns.n > 0)
+    UM_CHECK(um_forecast_sigma(context, work, &own_window, coordinate[3],
+                               coordinate[1] == work->checked, &v, value));
 done:
   um_model_result_destroy(context, &result);
   um_variant_close(context, &v);

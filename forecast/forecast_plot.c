@@ -44,7 +44,8 @@ static bool is_shown(const struct um_forecast_pass *pass, size_t station)
   return pass->reason == NULL && pass->station == station;
 }
 
-/* A block of data a pass: hours, then two columns a band. Its night begins at its rise. */
+/* A block of data a pass: hours, then two columns a band, and where something is uncertain two more
+ * a band of its sigmas behind them all. Its night begins at its rise. */
 static void data(struct um_plot *plot, const struct um_forecast *f, size_t i)
 {
   const size_t n = UM_FORECAST_CURVE;
@@ -56,6 +57,9 @@ static void data(struct um_plot *plot, const struct um_forecast *f, size_t i)
     um_plot_add(plot, "%.5f", hours + (pass->curve_at[k] - pass->pass.rise) / HOUR);
     for (size_t b = 0; b < f->nband; b++)
       um_plot_add(plot, ",%g,%g", pass->curve[2 * b * n + k], pass->curve[(2 * b + 1) * n + k]);
+    for (size_t b = 0; f->nuncertain > 0 && b < f->nband; b++)
+      um_plot_add(plot, ",%g,%g", pass->curve_sigma[2 * b * n + k],
+                  pass->curve_sigma[(2 * b + 1) * n + k]);
     um_plot_add(plot, "\n");
   }
   um_plot_add(plot, "EOD\n");
@@ -89,6 +93,27 @@ static void extent(const struct um_forecast *f, size_t station, double *from, do
   }
 }
 
+/* "linecolor rgb '#..'" by day, "linetype N" of the night by night. */
+static void colour(struct um_plot *plot, bool day, size_t nights)
+{
+  if (day)
+    um_plot_add(plot, "linecolor rgb %s ", "#c4c8d0");
+  else
+    um_plot_add(plot, "linetype %zu ", (nights - 1) % 8 + 1);
+}
+
+/* One sigma to both sides of a curve. */
+static void shade(struct um_plot *plot, const struct um_forecast *f, size_t pass, size_t band,
+                  double power)
+{
+  size_t value = 2 + 2 * band + (f->thermal[band] ? 1 : 0), sigma = value + 2 * f->nband;
+  um_plot_add(
+      plot,
+      ", $pass%zu using 1:((column(%zu) - column(%zu)) / %g):((column(%zu) + column(%zu)) / "
+      "%g) with filledcurves fillstyle transparent solid 0.3 noborder ",
+      pass, value, sigma, power, value, sigma, power);
+}
+
 static void curves(struct um_plot *plot, const struct um_forecast *f, size_t station, size_t band,
                    double power)
 {
@@ -111,12 +136,14 @@ static void curves(struct um_plot *plot, const struct um_forecast *f, size_t sta
       snprintf(title, sizeof title, "by day");
       day_named = true;
     }
+    if (f->nuncertain > 0) {
+      shade(plot, f, i, band, f->thermal[band] ? power : 1.0);
+      colour(plot, day, nights);
+      um_plot_add(plot, "notitle");
+    }
     um_plot_add(plot, ", $pass%zu using 1:(column(%zu) / %g) with lines linewidth 1.6 ", i,
                 2 + 2 * band + (f->thermal[band] ? 1 : 0), f->thermal[band] ? power : 1.0);
-    if (day)
-      um_plot_add(plot, "linecolor rgb %s ", "#c4c8d0");
-    else
-      um_plot_add(plot, "linetype %zu ", (nights - 1) % 8 + 1);
+    colour(plot, day, nights);
     um_plot_add(plot, "title %s noenhanced", title);
   }
   um_plot_add(plot, "\n");
@@ -185,7 +212,9 @@ static void picture(struct um_plot *plot, const struct um_forecast *f, size_t st
   snprintf(title, sizeof title, "%.120s over %.120s", f->name, f->station[station].name);
   um_plot_picture(plot, f->nstation == 1 ? "passes" : name, WIDTH,
                   TOP + (int)f->nband * (PANEL + GAP) + 30);
-  um_plot_title(plot, title, "a colour a night, named by its dates in UTC");
+  um_plot_title(plot, title,
+                f->nuncertain > 0 ? "a colour a night, named by its dates in UTC; shaded: 1 sigma"
+                                  : "a colour a night, named by its dates in UTC");
   for (size_t i = 0; i < f->npass; i++)
     if (is_shown(&f->pass[i], station)) data(plot, f, i);
   double margin = fmax(0.02 * (to - from), 0.05);

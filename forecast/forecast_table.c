@@ -14,6 +14,14 @@ static void put_time(FILE *file, double t)
   fprintf(file, ",%s", text);
 }
 
+static void head_sigmas(const struct um_forecast *f, size_t band, FILE *file)
+{
+  static const char *const of_band[] = {"_brightest_sigma_mag", "_culmination_sigma_mag",
+                                        "_largest_sigma_W_m2", "_culmination_sigma_W_m2"};
+  for (size_t i = 0; f->nuncertain > 0 && i < sizeof of_band / sizeof *of_band; i++)
+    um_core_csv_put_text(file, f->band[band], of_band[i]);
+}
+
 static void head(const struct um_forecast *f, FILE *file)
 {
   static const char *const of_band[2][8] = {
@@ -21,18 +29,21 @@ static void head(const struct um_forecast *f, FILE *file)
        "_largest_W_m2", "_largest_utc", "_culmination_W_m2", "_largest_W_sr"},
       {"_brightest_mag_vega", "_brightest_utc", "_culmination_mag_vega", "_brightest_error_mag",
        "_largest_W_m2", "_largest_utc", "_culmination_W_m2", "_largest_W_sr"}};
-  static const char *const of_place[] = {".mean_K", ".lowest_K", ".highest_K"};
+  static const char *const of_place[] = {".mean_K",       ".lowest_K",       ".highest_K",
+                                         ".mean_sigma_K", ".lowest_sigma_K", ".highest_sigma_K"};
+  const size_t nplace = f->nuncertain > 0 ? 6 : 3;
   fputs("pass,station,rise_utc,rise_azimuth_deg,culmination_utc,culmination_azimuth_deg,"
         "culmination_elevation_deg,culmination_range_km,set_utc,set_azimuth_deg,"
         "shadow_entry_utc,shadow_exit_utc,sunlit_at_rise,sunlit_at_set,sun_elevation_deg,sky,"
         "orbit_error_s",
         file);
-  for (size_t b = 0; b < f->nband; b++)
+  for (size_t b = 0; b < f->nband; b++) {
     for (size_t i = 0; i < 8; i++)
       um_core_csv_put_text(file, f->band[b], of_band[!isnan(f->vega_ab[b])][i]);
+    head_sigmas(f, b, file);
+  }
   for (size_t p = 0; p < f->nplace; p++)
-    for (size_t i = 0; i < sizeof of_place / sizeof *of_place; i++)
-      um_core_csv_put_text(file, f->place[p], of_place[i]);
+    for (size_t i = 0; i < nplace; i++) um_core_csv_put_text(file, f->place[p], of_place[i]);
   fputs(",reason\n", file);
 }
 
@@ -54,6 +65,21 @@ static void geometry(const struct um_forecast_pass *pass, FILE *file)
   fprintf(file, ",%s", um_forecast_sky(pass->sun_elevation));
 }
 
+static void put_place(FILE *file, const struct um_forecast_place *place)
+{
+  um_core_csv_put_exact(file, place->mean);
+  um_core_csv_put_exact(file, place->lowest);
+  um_core_csv_put_exact(file, place->highest);
+}
+
+static void put_sigmas(FILE *file, const struct um_forecast_band *sigma)
+{
+  um_core_csv_put_exact(file, sigma->brightest);
+  um_core_csv_put_exact(file, sigma->culmination);
+  um_core_csv_put_exact(file, sigma->largest);
+  um_core_csv_put_exact(file, sigma->irradiance_culmination);
+}
+
 void um_forecast_csv(const struct um_forecast *f, FILE *file)
 {
   head(f, file);
@@ -73,11 +99,11 @@ void um_forecast_csv(const struct um_forecast *f, FILE *file)
       put_time(file, band->largest_at);
       um_core_csv_put_exact(file, band->irradiance_culmination);
       um_core_csv_put_exact(file, band->intensity);
+      if (f->nuncertain > 0) put_sigmas(file, &pass->band_sigma[b]);
     }
     for (size_t p = 0; p < f->nplace; p++) {
-      um_core_csv_put_exact(file, pass->place[p].mean);
-      um_core_csv_put_exact(file, pass->place[p].lowest);
-      um_core_csv_put_exact(file, pass->place[p].highest);
+      put_place(file, &pass->place[p]);
+      if (f->nuncertain > 0) put_place(file, &pass->place_sigma[p]);
     }
     um_core_csv_put_text(file, pass->reason == NULL ? "" : pass->reason, "");
     fputc('\n', file);
@@ -91,6 +117,9 @@ void um_forecast_curves(const struct um_forecast *f, FILE *file)
   for (size_t b = 0; b < f->nband; b++) {
     um_core_csv_put_text(file, f->band[b], isnan(f->vega_ab[b]) ? "_mag_ab" : "_mag_vega");
     um_core_csv_put_text(file, f->band[b], "_W_m2");
+    if (f->nuncertain == 0) continue;
+    um_core_csv_put_text(file, f->band[b], "_sigma_mag");
+    um_core_csv_put_text(file, f->band[b], "_sigma_W_m2");
   }
   fputc('\n', file);
   for (size_t i = 0; i < f->npass; i++)
@@ -104,6 +133,9 @@ void um_forecast_curves(const struct um_forecast *f, FILE *file)
       for (size_t b = 0; b < f->nband; b++) {
         um_core_csv_put_exact(file, pass->curve[2 * b * n + k]);
         um_core_csv_put_exact(file, pass->curve[(2 * b + 1) * n + k]);
+        if (f->nuncertain == 0) continue;
+        um_core_csv_put_exact(file, pass->curve_sigma[2 * b * n + k]);
+        um_core_csv_put_exact(file, pass->curve_sigma[(2 * b + 1) * n + k]);
       }
       fputc('\n', file);
     }

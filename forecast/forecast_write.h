@@ -10,6 +10,9 @@
 void um_forecast_csv(const struct um_forecast *forecast, FILE *file);
 /* Curves of every pass: pass, time, magnitudes, irradiances. Errors of writing are the stream's. */
 void um_forecast_curves(const struct um_forecast *forecast, FILE *file);
+/* What each uncertain parameter does to each pass at 1 sigma; columns: docs/files.md. Errors of
+ * writing are the stream's. */
+void um_forecast_contributions(const struct um_forecast *forecast, FILE *file);
 /* iCalendar (RFC 5545): an event a pass that was computed. Errors of writing are the stream's. */
 void um_forecast_ics(const struct um_forecast *forecast, FILE *file);
 /* Magnitudes and signals against the time of night, drawn in `folder`. Errors

@@ -327,12 +327,164 @@ static void test_pinned(void **state)
   table_release(&f);
 }
 
+#define UNCERTAIN                                                                                  \
+  "--uncertain", "emittance:grey_white=0.05", "--uncertain",                                       \
+      "parts.bus.shell.areal_heat_capacity_J_m2_K=150"
+
+/* Error bars stand beside what is predicted without: the table without their columns has the same
+ * fields. They are drawn, and told with who gives most of them; processes do not matter. */
+static void test_uncertain(void **state)
+{
+  (void)state;
+#define ASKED "forecast", "box.yaml", "--days", "0.2"
+  command_expect(0, ASKED, "-o", "plain", NULL);
+  struct command c = command_run(ASKED, "-o", "bars", "--workers", "2", UNCERTAIN, NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "+- is 1 sigma by 2 uncertain parameters, to first order; most of "
+                                "the variance of lwir by parts.bus.shell."));
+  assert_non_null(strstr(c.out, "5.95+-0.00"));
+  command_release(&c);
+  command_expect(0, ASKED, "-o", "one", "--workers", "1", UNCERTAIN, NULL);
+  static const char *const files[] = {"passes.csv", "curves.csv", NULL};
+  command_expect_same("bars", "one", files);
+  char *two = command_read("bars/contributions.csv"), *one = command_read("one/contributions.csv");
+  assert_string_equal(two, one);
+  free(two);
+  free(one);
+  static const char *const both[] = {"passes.csv", "curves.csv"};
+  for (size_t i = 0; i < 2; i++) {
+    char name[40];
+    size_t bars = 0;
+    snprintf(name, sizeof name, "plain/%s", both[i]);
+    struct table plain = table_read(name);
+    snprintf(name, sizeof name, "bars/%s", both[i]);
+    struct table with = table_read(name);
+    assert_int_equal(with.nrow, plain.nrow);
+    for (size_t k = 0; k < plain.ncolumn; k++) {
+      assert_null(strstr(plain.field[k], "sigma"));
+      for (size_t r = 0; r < plain.nrow; r++)
+        assert_string_equal(table_text(&plain, r, plain.field[k]),
+                            table_text(&with, r, plain.field[k]));
+    }
+    for (size_t k = 0; k < with.ncolumn; k++) bars += strstr(with.field[k], "_sigma_") != NULL;
+    assert_int_equal(with.ncolumn, plain.ncolumn + bars);
+    assert_int_equal(bars, i == 0 ? 11 : 4); /* of two bands and a part */
+    table_release(&with);
+    table_release(&plain);
+  }
+  assert_false(command_exists("plain/contributions.csv"));
+  struct table f = table_read("bars/passes.csv"), of = table_read("bars/contributions.csv");
+  assert_int_equal(of.nrow, 2 * f.nrow);
+  double a = table_number(&of, 0, "bus.mean_K"), b = table_number(&of, 1, "bus.mean_K");
+  assert_true(a < -0.5 && b > 0.5);
+  assert_close(table_number(&f, 0, "bus.mean_sigma_K"), sqrt(a * a + b * b), 1e-9);
+  assert_close(table_number(&f, 0, "vis_brightest_sigma_mag"), 0.0, 0.0);
+  double largest = table_number(&f, 0, "lwir_largest_W_m2");
+  assert_true(table_number(&f, 0, "lwir_largest_sigma_W_m2") > 1e-3 * largest);
+  assert_true(table_number(&f, 0, "lwir_largest_sigma_W_m2") < 0.1 * largest);
+  table_release(&of);
+  table_release(&f);
+  char *plain = command_read("plain/passes.gp"), *bars = command_read("bars/passes.gp");
+  assert_null(strstr(plain, "filledcurves"));
+  assert_non_null(strstr(bars,
+                         "((column(5) - column(9)) / 1e-11):((column(5) + column(9)) / 1e-11) "
+                         "with filledcurves"));
+  free(plain);
+  free(bars);
+#undef ASKED
+}
+
+/* Records are of what is uncertain, too. */
+static void test_uncertain_records(void **state)
+{
+  (void)state;
+#define ASKED "forecast", "box.yaml", "--days", "0.1", "-o", "f", "--no-plots"
+  static const char *const other[] = {"emittance:grey_white=0.06", "heat_capacity:bus=0.05"};
+  command_expect(0, ASKED, "--share", "1/1", "--uncertain", "emittance:grey_white=0.05", NULL);
+  for (size_t i = 0; i < 3; i++) {
+    struct command c = i < 2 ? command_run(ASKED, "--resume", "--uncertain", other[i], NULL)
+                             : command_run(ASKED, "--resume", NULL);
+    assert_int_equal(c.code, 1);
+    assert_non_null(strstr(c.err, "the uncertain parameters are others than when these points"));
+    command_release(&c);
+  }
+  command_expect(0, ASKED, "--resume", "--uncertain", "emittance:grey_white=0.05", NULL);
+#undef ASKED
+}
+
+/* What is far from a line is said, and what moves nothing. */
+static void test_uncertain_told(void **state)
+{
+  (void)state;
+  struct command c =
+      command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", "--no-plots", "--json",
+                  "--uncertain", "emittance:grey_white=0.4", "--uncertain",
+                  "thermal.orbits_before=0.001", "--uncertain", "background:vis=1e-30", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.err, "emittance:grey_white.emittance_factor: first order is not enough: "
+                                "at 1 sigma lwir is off the line by up to "));
+  assert_non_null(strstr(c.out, "\"uncertain\": 3, \"most_of_the_variance\": {"));
+  assert_non_null(
+      strstr(c.out, "\"lwir\": {\"parameter\": \"emittance:grey_white.emittance_factor\""));
+  assert_non_null(strstr(c.err, "background:vis.irradiance_W_m2 changes nothing of these passes"));
+  command_release(&c);
+}
+
+static void test_uncertain_refused(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *text, *says;
+  } cases[] = {
+      {"emittance:grey_white=0", "sigma '0'; accepted: a number above 0"},
+      {"emittance:grey_white=-0.1", "sigma '-0.1'; accepted: a number above 0"},
+      {"emittance:grey_white=nan", "sigma 'nan'; accepted: a number above 0"},
+      {"emittance:grey_white=inf", "sigma 'inf'; accepted: a number above 0"},
+      {"emittance:grey_white=5 %", "sigma '5 %'; accepted: a number above 0"},
+      {"emittance:grey_white", "accepted: EFFECT[:TARGET],NAME=SIGMA, or"},
+      {"emittance:grey_white,0.1", "accepted: EFFECT[:TARGET],NAME=SIGMA, or"},
+      {"", "accepted: EFFECT[:TARGET],NAME=SIGMA, or"},
+      {"parts.bus", "accepted: EFFECT[:TARGET],NAME=SIGMA, or"},
+      {"emitance:grey_white=0.1", "no effect is called 'emitance'; did you mean 'emittance'?"},
+      {"emittance:grey=0.1", "nothing that 'emittance' acts on is called 'grey'"},
+      {"emittance=0.1", "effect 'emittance' needs a target"},
+      {"emittance:grey_white,factor=0.1", "effect 'emittance' has no parameter 'factor'"},
+      {"attitude_offset=1", "'attitude_offset' has 3 parameters"},
+      {"albedo=0.1", "'albedo' is on or off and has no number to move"},
+      {"parts.bus.shell.areal=3", "the scenario has no number there"},
+      {"orbit.tle=3", "the scenario has no number there"},
+      {"time.step_s=1", "every pass has its own"},
+      {"heat_capacity:bus,capacity_factor=0.1,capacity_factor=0.2",
+       "moves what 'heat_capacity:bus.capacity_factor' moves"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct command c =
+        command_run("forecast", "box.yaml", "-o", "f", "--uncertain", cases[i].text, NULL);
+    assert_int_equal(c.code, 1);
+    if (strstr(c.err, cases[i].says) == NULL) fail_msg("%s", c.err);
+    assert_non_null(strstr(c.err, "--uncertain "));
+    assert_int_equal(command_count_lines(c.err), 1);
+    command_release(&c);
+    assert_false(command_exists("f"));
+    assert_false(command_exists("f.records"));
+  }
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
-  static const struct CMUnitTest tests[] = {
-      TEST(test_alone),   TEST(test_long),   TEST(test_picture),
-      TEST(test_same),    TEST(test_other),  TEST(test_calendar),
-      TEST(test_refused), TEST(test_pinned), TEST(test_reason)};
+  static const struct CMUnitTest tests[] = {TEST(test_alone),
+                                            TEST(test_long),
+                                            TEST(test_picture),
+                                            TEST(test_same),
+                                            TEST(test_other),
+                                            TEST(test_calendar),
+                                            TEST(test_refused),
+                                            TEST(test_pinned),
+                                            TEST(test_reason),
+                                            TEST(test_uncertain),
+                                            TEST(test_uncertain_records),
+                                            TEST(test_uncertain_told),
+                                            TEST(test_uncertain_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
