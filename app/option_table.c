@@ -161,12 +161,11 @@ static const struct um_app_option table[] = {
      .default_value = "the scenario's", .example = "--minimum-elevation 20",
      .help = "Passes that rise above it, from there to there."},
     {"uncertain", "uncertain", "EFFECT[:TARGET],NAME=SIGMA", LIST(uncertain),
-     .offers = UM_APP_EFFECTS, .default_value = "none",
-     .example = "--uncertain emittance:mli,emittance_factor=0.05",
+     .offers = UM_APP_EFFECTS, .default_value = "none", .example = "--uncertain emittance:mli=0.05",
      .help = "A parameter that is known to 1 sigma, in its unit, again for more: all that is "
              "predicted gets error bars, to first order. EFFECT[:TARGET]=SIGMA where the effect "
-             "has one parameter; KEY=SIGMA of a number that the scenario states. Each costs two "
-             "more runs of a pass on its geometry."},
+             "has one parameter; KEY=SIGMA of a number that the scenario states. Each costs about "
+             "a pass, two where its heat has to be solved."},
     {"workers", "workers", "N", .takes = UM_APP_NUMBER, AT(workers), .most = 4096,
      .default_value = "one for each processor; under mpirun or srun, one", .example = "--workers 4",
      .help = "Processes on this machine that compute."},

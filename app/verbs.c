@@ -43,13 +43,14 @@ static const struct um_app_verb verbs[] = {
      .about =
          "Computes every pass of the station, or of several, and writes passes.csv, curves.csv, "
          "a calendar (passes.ics) and a picture: rise, culmination, set, shadow, magnitude, "
-         "infrared signal, temperatures, and whether the sky is dark. Passes that are done are "
+         "infrared signal, temperatures, and whether the sky is dark; with --uncertain each with "
+         "its error bar. Passes that are done are "
          "on record beside the results until these are written, so that --resume goes on. "
          "Under mpirun or srun all processes compute.",
      .examples = "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
                  "umbra forecast scenarios/envisat-graz-2016 --station Graz,47.067,15.493,495 "
                  "--station Zimmerwald,46.877,7.465,951\n"
-                 "umbra forecast scenarios/envisat-graz-2016 --uncertain emittance:mli=0.05 "
+                 "umbra forecast scenarios/envisat-graz-2016 --uncertain emittance:mli_kapton=0.05 "
                  "--uncertain internal_power:bus=20\n"
                  "mpirun -n 4 umbra forecast scenarios/envisat-graz-2016 --days 30\n",
      .run = um_app_forecast},

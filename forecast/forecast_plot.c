@@ -152,7 +152,10 @@ static void curves(struct um_plot *plot, const struct um_forecast *f, size_t sta
 /* The clock of UTC, "22:30", over what the curves span [h]. */
 static void hours_axis(struct um_plot *plot, double from, double to, bool named)
 {
-  double step = to - from > 12.0 ? 2.0 : to - from > 5.0 ? 1.0 : to - from > 1.5 ? 0.5 : 0.25;
+  const double most[] = {12.0, 5.0, 1.5, 0.5}, steps[] = {2.0, 1.0, 0.5, 0.25};
+  double step = 1.0 / 30.0; /* of a pass alone: two minutes */
+  for (size_t i = sizeof most / sizeof *most; i-- > 0;)
+    if (to - from > most[i]) step = steps[i];
   um_plot_xnumbers(plot, named);
   um_plot_add(plot, "set xtics (");
   for (double first = ceil(from / step) * step, h = first; h <= to; h += step) {

@@ -271,6 +271,18 @@ static void test_turned(void **state)
   forecast(periodic, 2, asked, 1, false, &record);
   sample(periodic, 2, asked, 1, mean, mean + nvalue());
   compare(record, mean, mean + nvalue(), 0.06, 2e-4, 60);
+  /* what it bends by is of runs alone, not of the looser heat that is predicted by */
+  const size_t bus = 1 + NBAND * sizeof(struct um_forecast_band) / sizeof(double);
+  double kelvin[3];
+  for (size_t i = 0; i < 3; i++) {
+    const double at = 0.5 * ((double)i - 1.0);
+    run(periodic, 2, asked, 1, &at, mean);
+    kelvin[i] = mean[bus];
+  }
+  double bend = fabs(0.5 * (kelvin[0] + kelvin[2]) - kelvin[1]);
+  double of_record = record[2 * nvalue() + TOLD + NBAND];
+  print_message("bends by %.5f K, %.5f K by runs\n", of_record, bend);
+  assert_close(of_record, bend, 3e-4);
   um_core_free(context, record);
   um_core_free(context, mean);
 }
