@@ -51,11 +51,9 @@ static enum um_status solve_base(struct um_context *context, struct work *w)
 {
   struct um_variant own = w->base;
   if (w->has_solved) return UM_OK;
-  um_core_quiet_begin(context);
   enum um_status status = um_variant_heat_again(context, w->evaluator, &near, &own);
   if (status == UM_OK) status = observe(context, w, &own, w->solved);
   um_variant_close(context, &own);
-  um_core_quiet_end(context);
   w->has_solved = status == UM_OK;
   return status;
 }
@@ -217,6 +215,7 @@ enum um_status um_forecast_sigma(struct um_context *context, const struct um_for
   const size_t n = work->unknowns.n;
   double *sigma = record + w.nvalue, *part = sigma + w.nvalue,
          *bend = part + n * um_forecast_told(work);
+  um_core_quiet_begin(context); /* what is to say of the pass was said */
   UM_CHECK(um_core_allocate(context, 3 * w.nvalue, sizeof *w.solved, &w.solved));
   w.side[0] = w.solved + w.nvalue;
   w.side[1] = w.solved + 2 * w.nvalue;
@@ -232,5 +231,6 @@ done:
   um_forecast_tangents_clear(context, &w.tangents);
   um_variant_evaluator_destroy(context, &w.evaluator);
   um_core_free(context, w.solved);
+  um_core_quiet_end(context);
   return status;
 }
