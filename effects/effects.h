@@ -61,5 +61,7 @@ uint32_t um_effects_reach(const struct um_effect *effect);
 /* Do all of its hooks act on light that has left the satellite: on the air before the observer, on
  * what is measured? Does not fail. */
 bool um_effects_act_behind(const struct um_effect *effect);
+/* Does a satellite of the same temperatures send the same light with it? */
+bool um_effects_light_alike(const struct um_effect *effect);
 
 #endif

@@ -19,10 +19,18 @@ uint32_t um_effects_reach(const struct um_effect *effect)
   return reach;
 }
 
-bool um_effects_act_behind(const struct um_effect *effect)
+/* What it reaches but for light that has left the satellite. */
+static uint32_t reach_before(const struct um_effect *effect)
 {
   struct um_effect rest = *effect;
   rest.hooks.sky = NULL;
   rest.hooks.observation = NULL;
-  return um_effects_reach(&rest) == 0;
+  return um_effects_reach(&rest);
+}
+
+bool um_effects_act_behind(const struct um_effect *effect) { return reach_before(effect) == 0; }
+
+bool um_effects_light_alike(const struct um_effect *effect)
+{
+  return (reach_before(effect) & ~(uint32_t)UM_REACH_THERMAL) == 0;
 }

@@ -6,6 +6,7 @@
 #include "forecast/forecast_impl.h"
 
 #define SMALL   1e-3 /* of sigma */
+#define STEP    1e-3 /* error of a step of heat: an error bar is asked to a hundredth */
 #define AT_ONCE 16   /* variants that are open at once, some with a geometry of their own */
 
 /* Parameters of one run. */
@@ -26,8 +27,8 @@ static enum um_status batch_run(struct um_context *context, const struct um_vari
 {
   struct um_model_thermal_sensitivity *run;
   if (batch->count == 0) return UM_OK;
-  enum um_status status =
-      um_model_thermal_sensitivity_create(context, base->heat, batch->move, batch->count, &run);
+  enum um_status status = um_model_thermal_sensitivity_create(context, base->heat, batch->move,
+                                                              batch->count, STEP, &run);
   if (status == UM_OK) {
     for (size_t i = 0; i < batch->count; i++)
       out->of[batch->which[i]] = (struct um_forecast_tangent){run, i};

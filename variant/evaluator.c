@@ -309,7 +309,7 @@ enum um_status um_variant_base(struct um_context *context, struct um_variant_eva
   *out = (struct um_variant){.model = evaluator->model,
                              .tables = evaluator->tables,
                              .heat = evaluator->heat,
-                             .behind = true};
+                             .light_alike = true};
   return UM_OK;
 }
 
@@ -333,12 +333,17 @@ static enum um_status make_model(struct um_context *context, const struct um_var
   return UM_OK;
 }
 
+static bool additions_all(const struct um_model_changes *changes,
+                          bool (*is)(const struct um_effect *effect))
+{
+  bool all = changes->nkey + changes->nwith + changes->nwithout + changes->nsource == 0;
+  for (size_t i = 0; i < changes->naddition; i++) all = all && is(changes->addition[i].effect);
+  return all;
+}
+
 bool um_variant_acts_behind(const struct um_model_changes *changes)
 {
-  bool behind = changes->nkey + changes->nwith + changes->nwithout + changes->nsource == 0;
-  for (size_t i = 0; i < changes->naddition; i++)
-    behind = behind && um_effects_act_behind(changes->addition[i].effect);
-  return behind;
+  return additions_all(changes, um_effects_act_behind);
 }
 
 enum um_status um_variant_reaches_geometry(struct um_context *context,
@@ -361,7 +366,7 @@ enum um_status um_variant_open(struct um_context *context, struct um_variant_eva
   enum um_status status;
   um_core_quiet_begin(context); /* what is to say of the scenario was said once */
   UM_CHECK(make_model(context, evaluator, changes, out));
-  out->behind = um_variant_acts_behind(changes);
+  out->light_alike = additions_all(changes, um_effects_light_alike);
   UM_CHECK(find_geometry(context, evaluator, changes, out));
   if (heat != NULL) UM_CHECK(um_variant_find_heat(context, evaluator, heat, out));
 done:
@@ -413,7 +418,7 @@ enum um_status um_variant_observe(struct um_context *context,
   struct um_variant_evaluator *e = evaluator;
   *out = NULL;
   if (warms_alone(e, v)) return observe_warmed(context, e, v, out);
-  if (!v->behind || v->heat != e->heat || v->tables != e->tables)
+  if (!v->light_alike || v->heat != e->heat || v->tables != e->tables)
     return um_model_run_observed(context, v->model, v->tables, v->heat, out);
   UM_TRY(um_variant_share(context, e, UM_VARIANT_WARM, true));
   return um_model_run_behind(context, v->model, v->tables, v->heat, e->light, out);

@@ -46,7 +46,7 @@ struct um_variant {
   const struct um_model_tables *tables;
   const struct um_model_thermal_solution *heat;
   bool fresh_geometry, fresh_heat; /* computed for it: nothing at hand served */
-  bool behind;                  /* all that is changed acts on light that has left the satellite */
+  bool light_alike;             /* at the scenario's temperatures its light leaves the satellite */
   double seconds_heat;          /* wall time of fresh heat, 0 without [s] */
   struct um_variant_heat moved; /* as it was asked for where heat is extrapolated */
   /* private */
