@@ -1,6 +1,8 @@
 /* umbra study: many points of one scenario. */
 #include "study/study.h"
 
+#include <string.h>
+
 #include "app/app.h"
 #include "app/batch.h"
 #include "base/core/file.h"
@@ -8,9 +10,11 @@
 #include "study/measured.h"
 #include "study/plot.h"
 #include "study/report.h"
+#include "study/shortfall.h"
 
 static void print_result(const struct um_study_result *r, const char *folder)
 {
+  bool short_of = r->falls_short != NULL;
   size_t failed = 0;
   for (size_t i = 0; i < r->npoint; i++) failed += r->reason[i] != NULL ? 1 : 0;
   printf("%s: %zu points of %s, %zu solved", r->name, r->npoint, r->scenario, r->exact);
@@ -18,10 +22,27 @@ static void print_result(const struct um_study_result *r, const char *folder)
   printf("\n");
   for (size_t q = 0; q < r->nquantity; q++) {
     if (!(r->error[q] >= 0.0)) continue; /* metrics, whose error nobody states */
-    printf("  %-28s error at most %.2g%s\n", r->quantity[q].name, r->error[q],
-           r->quantity[q].light && r->quantity[q].unit[0] == 'W' ? "" : " (in its unit)");
+    const struct um_study_quantity *of = &r->quantity[q];
+    printf("  %-28s error at most %.2g", of->name, r->error[q]);
+    if (short_of || r->error[q] > of->asked) printf(", asked %.2g", of->asked);
+    printf("%s%s\n", of->light && of->unit[0] == 'W' ? "" : " (in its unit)",
+           of->withheld ? ", of solved points alone" : "");
   }
   printf("results in %s\n", folder);
+}
+
+/* A warning of all that falls short of what was asked. */
+static enum um_status warn(struct um_context *context, const struct um_study_result *result)
+{
+  char *text = NULL;
+  UM_TRY(um_study_shortfall(context, result, &text));
+  for (char *line = text, *end; line != NULL && *line != '\0'; line = end) {
+    end = line + strcspn(line, "\n");
+    if (*end == '\n') *end++ = '\0';
+    um_core_log(context, UM_LOG_WARNING, "%s", line);
+  }
+  um_core_free(context, text);
+  return UM_OK;
 }
 
 /* Statistics, where two points or more succeeded; fit NULL: no measurements. */
@@ -108,6 +129,7 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   UM_CHECK(um_study_run(context, study, &result));
   code = um_app_batch_end(um_study_lost(study), records);
   if (result == NULL) goto done;
+  UM_CHECK(warn(context, result));
   status = write_folder(context, result, um_study_measurements(study), folder, options->force);
   if (status != UM_OK) {
     um_core_log(context, UM_LOG_WARNING, "all points stay on record in %s: --resume takes them",

@@ -2,9 +2,10 @@
 #include <math.h>
 #include <omp.h>
 
+#include "base/uncertainty/surrogate.h"
 #include "study/study_impl.h"
 
-#define GEOMETRY_TYPICAL 8 /* points that a surrogate solves for each parameter, about */
+#define TERMS_TYPICAL 8 /* points that a surrogate solves for each parameter, about */
 
 static const char *needs(const struct um_study *study, size_t i)
 {
@@ -62,7 +63,8 @@ enum um_status um_study_print_check(struct um_context *context, struct um_study 
   print_time(file, study->seconds_run);
   fprintf(file, ", a point in the middle %.2g s\n", seconds);
   if (f->mode == UM_STUDY_SURROGATE) {
-    solved = fmin(f->held_out + 1 + GEOMETRY_TYPICAL * (double)study->nbinding, f->evaluations);
+    solved = (1 + UM_UNCERTAINTY_STATING) * f->held_out + 1;
+    solved = fmin(solved + TERMS_TYPICAL * (double)study->nbinding, f->evaluations);
     fprintf(file, "surrogate: about %.0f points to solve, at most %d\n", solved, f->evaluations);
   }
   fprintf(file, "about ");

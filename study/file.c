@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/uncertainty/surrogate.h"
+
 /* --- a parameter ---------------------------------------------------------------------------- */
 
 void um_study_parameter_name(const struct um_study_file_parameter *p, char out[UM_STUDY_NAME])
@@ -160,6 +162,13 @@ static enum um_status check(struct um_context *context, const struct um_study_fi
     UM_TRY(check_spread(context, file, &p[i]));
   }
   UM_TRY(check_names(context, file));
+  int held_out = (1 + UM_UNCERTAINTY_STATING) * file->held_out;
+  if (file->mode == UM_STUDY_SURROGATE && file->evaluations <= held_out)
+    return um_document_mark_fail(context, um_document_mark_key(&file->at, "evaluations"),
+                                 "%d, of which a surrogate holds out %d and twice as many to state "
+                                 "its error; accepted: more "
+                                 "than %d",
+                                 file->evaluations, file->held_out, held_out);
   double points = um_study_file_points(file);
   if (points > UM_STUDY_POINTS_MAX)
     return um_document_mark_fail(context, &file->design->at,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "output/netcdf_grid.h"
+#include "study/shortfall.h"
 #include "study/study.h"
 
 enum axis { POINT, PARAMETER, TIME, BAND, PLACE, METRIC, AXES };
@@ -104,11 +105,12 @@ static enum um_status put_curves(const struct writer *w, const char *kind, int a
   const int all[] = {POINT, TIME, axis}, nominal[] = {TIME, axis};
   const struct um_study_result *r = w->r;
   size_t rows = r->npoint + 1, column = 0; /* the last of them nominal */
-  double *value = NULL, *error = NULL;
+  double *value = NULL, *error = NULL, *asked;
   char name[64], words[128];
   enum um_status status;
   UM_CHECK(um_core_allocate(w->context, rows * r->ntime * n, sizeof *value, &value));
-  UM_CHECK(um_core_allocate(w->context, n, sizeof *error, &error));
+  UM_CHECK(um_core_allocate(w->context, n, 2 * sizeof *error, &error));
+  asked = error + n;
   for (size_t q = 0; q < r->nquantity; q++) {
     if (!is_kind(&r->quantity[q], kind)) continue;
     for (size_t i = 0; i < rows; i++) {
@@ -116,6 +118,7 @@ static enum um_status put_curves(const struct writer *w, const char *kind, int a
           (i < r->npoint ? r->value + i * r->nvalue : r->nominal) + r->quantity[q].first;
       for (size_t k = 0; k < r->ntime; k++) value[(i * r->ntime + k) * n + column] = from[k];
     }
+    asked[column] = r->quantity[q].asked > 0.0 ? r->quantity[q].asked : (double)NAN;
     error[column++] = r->error[q];
   }
   if (column == 0) goto done;
@@ -128,6 +131,9 @@ static enum um_status put_curves(const struct writer *w, const char *kind, int a
   snprintf(name, sizeof name, "%s_error", kind);
   snprintf(words, sizeof words, "stated largest error of %s", kind);
   UM_CHECK(um_output_grid_numbers(&w->grid, name, &axis, 1, error_units, words, error));
+  snprintf(name, sizeof name, "%s_error_asked", kind);
+  snprintf(words, sizeof words, "error of %s that was asked; NaN: none", kind);
+  UM_CHECK(um_output_grid_numbers(&w->grid, name, &axis, 1, error_units, words, asked));
 done:
   UM_FREE(w->context, value, error);
   return status;
@@ -155,6 +161,16 @@ static enum um_status put_metrics(const struct writer *w)
   return status;
 }
 
+/* In what the file falls short, as a note on it. */
+static enum um_status put_shortfall(const struct writer *w)
+{
+  char *text = NULL;
+  UM_TRY(um_study_shortfall(w->context, w->r, &text));
+  enum um_status status = text != NULL ? um_output_grid_note(&w->grid, "falls_short", text) : UM_OK;
+  um_core_free(w->context, text);
+  return status;
+}
+
 static enum um_status put_all(struct writer *w)
 {
   const struct um_study_result *r = w->r;
@@ -163,6 +179,7 @@ static enum um_status put_all(struct writer *w)
   UM_TRY(um_output_grid_note(&w->grid, "scenario", r->scenario));
   UM_TRY(um_output_grid_note(&w->grid, "Conventions", "CF-1.8"));
   UM_TRY(um_output_grid_note(&w->grid, "mode", r->surrogate != NULL ? "surrogate" : "exact"));
+  UM_TRY(put_shortfall(w));
   UM_TRY(put_axes(w));
   UM_TRY(put_points(w));
   UM_TRY(put_curves(w, "irradiance", BAND, w->nband, "W m-2", "1"));

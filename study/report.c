@@ -7,6 +7,7 @@
 #include "orbit/time.h"
 #include "study/per_point.h"
 #include "study/rule.h"
+#include "study/shortfall.h"
 
 static bool is_curve(const struct um_study_result *r, const struct um_study_quantity *q)
 {
@@ -14,6 +15,14 @@ static bool is_curve(const struct um_study_result *r, const struct um_study_quan
 }
 
 /* ---- summary.csv ---- */
+
+/* Errors as stated, and as asked. */
+static void put_errors(const struct um_study_result *r, size_t q, FILE *file)
+{
+  double asked = r->quantity[q].asked;
+  um_core_csv_put_exact(file, r->error != NULL ? r->error[q] : NAN);
+  um_core_csv_put_exact(file, asked > 0.0 ? asked : NAN);
+}
 
 static enum um_status summary(struct um_context *context, const struct um_study_result *r,
                               const struct um_study_statistics *l, FILE *file)
@@ -23,7 +32,7 @@ static enum um_status summary(struct um_context *context, const struct um_study_
     fputs(",share:", file);
     um_core_csv_put(file, r->parameter_name[i], "");
   }
-  fputs("\n", file);
+  fputs(",error,error_asked\n", file);
   for (size_t q = 0; q < r->nquantity; q++) {
     const struct um_study_quantity *of = &r->quantity[q];
     for (enum um_study_statistic s = 0; s < (of->count > 1 ? UM_STUDY_STATISTICS : 1); s++) {
@@ -33,7 +42,7 @@ static enum um_status summary(struct um_context *context, const struct um_study_
       fputs(",", file);
       fprintf(file, "%s,", um_study_statistic_word(of, s));
       um_core_csv_put(file, of->unit, "");
-      fprintf(file, ",%zu", l->ndone);
+      fprintf(file, ",%zu", um_study_points_of(r, of));
       um_core_csv_put_exact(file, spread.nominal);
       um_core_csv_put_exact(file, spread.mean);
       um_core_csv_put_exact(file, spread.deviation);
@@ -42,6 +51,7 @@ static enum um_status summary(struct um_context *context, const struct um_study_
       for (size_t i = 0; i < r->nparameter; i++)
         um_core_csv_put_exact(
             file, s == 0 && l->over_curve != NULL ? l->over_curve[i * r->nquantity + q] : NAN);
+      put_errors(r, q, file);
       fputs("\n", file);
     }
   }
@@ -120,6 +130,23 @@ static void number(FILE *file, double value)
     fputs(" - |", file);
 }
 
+/* What falls short, a paragraph a line. */
+static enum um_status shortfall(struct um_context *context, const struct um_study_result *r,
+                                FILE *file)
+{
+  char *text = NULL;
+  UM_TRY(um_study_shortfall(context, r, &text));
+  if (text != NULL) fputs("\n", file);
+  for (const char *at = text; at != NULL && *at != '\0'; at++) {
+    if (*at == '|') fputc('\\', file);
+    fputc(*at, file);
+    if (*at == '\n') fputc('\n', file);
+  }
+  if (text != NULL) fputs("\n", file);
+  um_core_free(context, text);
+  return UM_OK;
+}
+
 static enum um_status table(struct um_context *context, const struct um_study_result *r,
                             const struct um_study_statistics *l, FILE *file)
 {
@@ -158,6 +185,7 @@ static enum um_status table(struct um_context *context, const struct um_study_re
           "\n%zu points; of curves the mean over time; last columns: share of the variance of "
           "the curve, %s.\n",
           l->ndone, um_study_indices_words(l->indices));
+  UM_TRY(shortfall(context, r, file));
   for (size_t q = 0; q < r->nquantity; q++) {
     char *sentence = NULL;
     if (!is_curve(r, &r->quantity[q])) continue;

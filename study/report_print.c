@@ -50,9 +50,11 @@ enum um_status um_study_report_print(struct um_context *context,
 {
   failures(result, statistics, file);
   if (result->surrogate != NULL)
-    fprintf(file, "surrogate of %zu points, %zu of them held out\n",
+    fprintf(file,
+            "surrogate of %zu points, %zu of them held out; %zu had no say and state its error\n",
             um_uncertainty_surrogate_evaluations(result->surrogate),
-            um_uncertainty_surrogate_held_out(result->surrogate));
+            um_uncertainty_surrogate_held_out(result->surrogate),
+            um_uncertainty_surrogate_stating(result->surrogate));
   UM_TRY(rows(context, result, statistics, file));
   for (size_t q = 0; q < result->nquantity && statistics->first != NULL; q++) {
     char *sentence = NULL;

@@ -42,6 +42,7 @@ void um_study_result_destroy(struct um_context *context, struct um_study_result 
     um_core_free(context, (void *)(uintptr_t)r->distribution[i].value);
   um_core_free(context, r->distribution);
   um_uncertainty_surrogate_destroy(context, &r->surrogate);
+  UM_FREE(context, r->unexplained, r->falls_short);
   UM_FREE(context, r->limit, r->time, r->sunlit, r->coordinate, r->parameter, r->value, r->nominal,
           r->at_nominal, r->error, r);
   *result = NULL;

@@ -17,7 +17,17 @@ struct um_study_quantity {
   char *of;            /* band or place */
   size_t first, count; /* of the values of a point; count: ntime of a curve, 1 of a metric */
   bool light;          /* of a band: its error is relative */
+  bool withheld; /* the surrogate does not bear it: only solved points have it, NaN at others */
+  double asked;  /* error that was asked, as `error` of the result; 0: not known */
+  /* Of its standard deviation over the points, summed over the curve, what the surrogate leaves
+   * open at most (95 %), by points that had no say; 0: no surrogate */
+  double unexplained;
 };
+
+/* A surrogate that falls short of the asked error bears a quantity of which it leaves at most this
+ * share of the standard deviation unexplained, 1 % of the variance; and any index of an instant
+ * only there. */
+#define UM_STUDY_BORNE 0.1
 
 /* Of the largest of a curve of light: below that an error is relative to it. */
 #define UM_STUDY_FLOOR 0.01
@@ -66,7 +76,11 @@ struct um_study_result {
   struct um_study_limit *limit; /* [nlimit] */
   size_t nlimit;
   struct um_uncertainty_surrogate *surrogate; /* NULL in exact mode; owned */
-  size_t exact;                               /* points that were solved, surrogate's included */
+  double *unexplained; /* [values of the surrogate] as of quantities, of each instant; NULL: none */
+  size_t exact;        /* points that were solved, surrogate's included */
+  size_t nsolved;      /* of npoint those that were solved, each with its own values */
+  size_t wanted;       /* points of the design; fewer may be left where no surrogate bears them */
+  char *falls_short;   /* why the surrogate does, or there is none that was asked; NULL: it holds */
 };
 
 /* The quantity of that name; NULL: none. */

@@ -13,12 +13,12 @@
 static size_t ruler(const struct um_study_result *r, const struct um_study_statistics *l,
                     size_t value, double quiet)
 {
-  size_t best = UM_STUDY_RULED_BY_NONE;
-  if (!(l->deviation[value] > quiet)) return best;
+  size_t best = UM_STUDY_RULED_BY_WITHHELD;
+  if (!(l->deviation[value] > quiet)) return UM_STUDY_RULED_BY_NONE;
   for (size_t i = 0; i < r->nparameter; i++) {
     double share = l->first[i * r->nvalue + value];
     if (!isfinite(share)) continue;
-    if (best == UM_STUDY_RULED_BY_NONE || share > l->first[best * r->nvalue + value]) best = i;
+    if (best == UM_STUDY_RULED_BY_WITHHELD || share > l->first[best * r->nvalue + value]) best = i;
   }
   return best;
 }
@@ -57,7 +57,7 @@ enum um_status um_study_stretches(struct um_context *context, const struct um_st
   UM_TRY(um_core_allocate(context, quantity->count, sizeof **out, out));
   for (size_t k = 0; k < quantity->count; k++) {
     size_t value = quantity->first + k, by = ruler(r, statistics, value, quiet);
-    double share = by == UM_STUDY_RULED_BY_NONE ? 0.0 : statistics->first[by * r->nvalue + value];
+    double share = by >= r->nparameter ? 0.0 : statistics->first[by * r->nvalue + value];
     (*out)[(*n)++] = (struct um_study_stretch){
         .from = edge(r, k), .to = edge(r, k + 1), .parameter = by, .share = share};
   }
@@ -89,8 +89,8 @@ UM_PRINTF(3, 4) static void say(struct um_context *context, struct text *t, cons
   t->at[t->used] = '\0';
 }
 
-/* ": a rules 3.1 of 10 minutes (0 to 2, 5 to 6.1; 80 % of the variance there)" of one parameter or
- * of none. */
+/* ": a rules 3.1 of 10 minutes (0 to 2, 5 to 6.1; 80 % of the variance there)" of one parameter, of
+ * none, or of what is withheld. */
 static void say_stretches(struct um_context *context, const struct um_study_result *r,
                           const struct um_study_stretch *s, size_t n, size_t parameter,
                           struct text *t)
@@ -98,7 +98,7 @@ static void say_stretches(struct um_context *context, const struct um_study_resu
   struct um_plot_time axis = um_plot_time(r->time[0], r->time[r->ntime - 1], "");
   double length = 0.0, share = 0.0, whole = (r->time[r->ntime - 1] - r->time[0]) / axis.unit;
   size_t count = 0, listed = 0;
-  bool none = parameter == UM_STUDY_RULED_BY_NONE;
+  bool none = parameter >= r->nparameter, quiet = parameter == UM_STUDY_RULED_BY_NONE;
   for (size_t i = 0; i < n; i++) {
     if (s[i].parameter != parameter) continue;
     double here = (s[i].to - s[i].from) / axis.unit;
@@ -108,8 +108,13 @@ static void say_stretches(struct um_context *context, const struct um_study_resu
   }
   if (count == 0) return;
   say(context, t, "%s%s %s %.3g of %.3g %s", t->used > 0 ? "; " : "",
-      none ? "nothing" : r->parameter_name[parameter], none ? "varies it in" : "rules", length,
-      whole, axis.word);
+      quiet  ? "nothing"
+      : none ? "shares of parameters"
+             : r->parameter_name[parameter],
+      quiet  ? "varies it in"
+      : none ? "are withheld in"
+             : "rules",
+      length, whole, axis.word);
   if (length > (1.0 - SHORT) * whole) {
     listed = count;
   } else {
@@ -156,6 +161,7 @@ enum um_status um_study_sentence(struct um_context *context, const struct um_stu
   } else {
     t.status = um_study_stretches(context, result, statistics, quantity, &s, &n);
     for (size_t i = 0; i < result->nparameter; i++) say_stretches(context, result, s, n, i, &t);
+    say_stretches(context, result, s, n, UM_STUDY_RULED_BY_WITHHELD, &t);
     say_stretches(context, result, s, n, UM_STUDY_RULED_BY_NONE, &t);
   }
   um_core_free(context, s);

@@ -4,13 +4,14 @@
 
 #include "study/statistics.h"
 
-#define UM_STUDY_RULED_BY_NONE ((size_t)-1)
+#define UM_STUDY_RULED_BY_NONE     ((size_t)-1)
+#define UM_STUDY_RULED_BY_WITHHELD ((size_t)-2) /* it varies, and no share of it is said */
 
 /* A stretch of the curve whose largest index is one parameter's. Instants count halfway to their
  * neighbours. */
 struct um_study_stretch {
   double from, to;  /* t_tai [s] */
-  size_t parameter; /* UM_STUDY_RULED_BY_NONE: the curve does not vary there */
+  size_t parameter; /* UM_STUDY_RULED_BY_NONE: the curve does not vary there; _WITHHELD */
   double share;     /* mean of the parameter's index over the stretch */
 };
 

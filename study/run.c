@@ -1,11 +1,9 @@
-/* All points of a study: each one solved, or a surrogate grown from few that are. */
-#include <math.h>
+/* All points of a study: each one solved, or by a surrogate. */
 #include <string.h>
 
 #include "base/batch/batch.h"
 #include "base/core/digest.h"
 #include "base/core/sort.h"
-#include "base/uncertainty/surrogate.h"
 #include "model/geometry/precompute.h"
 #include "study/study_impl.h"
 
@@ -52,10 +50,9 @@ static int compare_places(const void *a, const void *b)
   return (x->point > y->point) - (x->point < y->point);
 }
 
-/* Solve points, those of one geometry one after another. */
-static enum um_status solve(struct um_context *context, const struct um_study *study,
-                            struct um_batch *batch, const double *parameter, size_t n,
-                            double *value, char **reason)
+enum um_status um_study_solve(struct um_context *context, const struct um_study *study,
+                              struct um_batch *batch, const double *parameter, size_t n,
+                              double *value, char **reason)
 {
   enum um_status status;
   size_t d = study->nbinding, nkey = 0;
@@ -87,105 +84,6 @@ done:
   return status;
 }
 
-/* --- surrogate ------------------------------------------------------------------------------- */
-
-struct evaluator {
-  const struct um_study *study;
-  struct um_batch *batch;
-  size_t solved;
-};
-
-/* Points that the surrogate wants. Nothing is seen where the scenario as it stands shows nothing:
- * there the values are 0. A point that failed, or sees something else, is all NaN. */
-static enum um_status evaluate(struct um_context *context, void *user, const double *place,
-                               size_t n, double *value)
-{
-  enum um_status status;
-  struct evaluator *e = user;
-  const struct um_study *study = e->study;
-  size_t d = study->nbinding, nvalue = study->nvalue;
-  double *parameter = NULL;
-  char **reason = NULL;
-  UM_CHECK(um_core_allocate(context, n * d, sizeof *parameter, &parameter));
-  UM_CHECK(um_core_allocate(context, n, sizeof *reason, &reason));
-  for (size_t i = 0; i < n * d; i++)
-    parameter[i] =
-        um_uncertainty_distribution_at_place(&study->binding[i % d].distribution, place[i]);
-  UM_CHECK(solve(context, study, e->batch, parameter, n, value, reason));
-  e->solved += n;
-  for (size_t i = 0; i < n; i++) {
-    double *v = value + i * nvalue;
-    bool whole = reason[i] == NULL;
-    for (size_t k = 0; k < nvalue; k++) {
-      whole = whole && isnan(v[k]) == isnan(study->nominal[k]);
-      if (isnan(study->nominal[k])) v[k] = 0.0;
-    }
-    for (size_t k = 0; k < nvalue && !whole; k++) v[k] = NAN;
-    if (reason[i] != NULL)
-      um_core_log(context, UM_LOG_WARNING, "a point of the surrogate failed: %s", reason[i]);
-    um_core_free(context, reason[i]);
-  }
-done:
-  UM_FREE(context, parameter, (void *)reason);
-  return status;
-}
-
-static enum um_status grow(struct um_context *context, const struct um_study *study,
-                           struct um_batch *batch, struct um_study_result *r)
-{
-  enum um_status status;
-  struct um_uncertainty_group *group = NULL;
-  struct evaluator user = {study, batch, 0};
-  UM_CHECK(um_core_allocate(context, r->nquantity, sizeof *group, &group));
-  for (size_t q = 0; q < r->nquantity; q++) {
-    bool relative = study->output[q].kind == UM_STUDY_IRRADIANCE;
-    double asked = study->curve[q].asked;
-    group[q] = (struct um_uncertainty_group){.name = r->quantity[q].name,
-                                             .first = r->quantity[q].first,
-                                             .count = r->quantity[q].count,
-                                             .absolute = relative ? 0.0 : asked,
-                                             .relative = relative ? asked : 0.0,
-                                             .floor = UM_STUDY_FLOOR};
-  }
-  const struct um_uncertainty_surrogate_request request = {
-      .d = study->nbinding,
-      .nvalue = study->nvalue,
-      .ngroup = r->nquantity,
-      .group = group,
-      .evaluate = evaluate,
-      .user = &user,
-      .held_out = (size_t)study->file->held_out,
-      .evaluations_max = (size_t)study->file->evaluations};
-  UM_CHECK(um_uncertainty_surrogate_create(context, &request, &r->surrogate));
-  r->exact = um_uncertainty_surrogate_evaluations(r->surrogate);
-  const struct um_uncertainty_surrogate_error *error =
-      um_uncertainty_surrogate_errors(r->surrogate);
-  for (size_t q = 0; q < r->nquantity; q++)
-    r->error[q] += group[q].relative > 0.0 ? error[q].relative : error[q].absolute;
-done:
-  um_core_free(context, group);
-  return status;
-}
-
-/* Values of the surrogate at the points. */
-static enum um_status look_up(struct um_context *context, const struct um_study *study,
-                              struct um_study_result *r)
-{
-  enum um_status status;
-  size_t d = study->nbinding;
-  double *place = NULL;
-  UM_CHECK(um_core_allocate(context, r->npoint * d, sizeof *place, &place));
-  for (size_t i = 0; i < r->npoint * d; i++)
-    place[i] =
-        um_uncertainty_distribution_place(&study->binding[i % d].distribution, r->parameter[i]);
-  UM_CHECK(um_uncertainty_surrogate_at(context, r->surrogate, place, r->npoint, r->value));
-  for (size_t i = 0; i < r->npoint * r->nvalue; i++)
-    if (isnan(study->nominal[i % r->nvalue])) r->value[i] = NAN;
-done:
-  um_core_free(context, place);
-  return status;
-}
-
 /* --- the result ------------------------------------------------------------------------------ */
 
 static enum um_status describe_quantities(struct um_context *context, const struct um_study *study,
@@ -205,6 +103,7 @@ static enum um_status describe_quantities(struct um_context *context, const stru
     to->first = q * study->ntime;
     to->count = study->ntime;
     to->light = from->kind != UM_STUDY_TEMPERATURE;
+    to->asked = study->curve[q].asked;
     r->error[q] = study->accuracy.error != NULL ? study->accuracy.error[q] : 0.0;
   }
   return UM_OK;
@@ -250,6 +149,7 @@ static enum um_status describe(struct um_context *context, const struct um_study
   UM_TRY(describe_quantities(context, study, r));
   UM_TRY(um_study_limits_make(context, study, r));
   UM_TRY(um_study_points(context, study, &r->coordinate, &r->parameter, &r->npoint));
+  r->wanted = r->npoint;
   UM_TRY(um_core_allocate(context, r->npoint, sizeof *r->reason, &r->reason));
   return um_core_allocate(context, r->npoint * r->nvalue, sizeof(double), &r->value);
 }
@@ -257,12 +157,9 @@ static enum um_status describe(struct um_context *context, const struct um_study
 static enum um_status lead(struct um_context *context, const struct um_study *study,
                            struct um_batch *batch, struct um_study_result *r)
 {
-  if (study->file->mode == UM_STUDY_SURROGATE) {
-    UM_TRY(grow(context, study, batch, r));
-    return look_up(context, study, r);
-  }
-  r->exact = r->npoint;
-  return solve(context, study, batch, r->parameter, r->npoint, r->value, r->reason);
+  if (study->file->mode == UM_STUDY_SURROGATE) return um_study_stand_in(context, study, batch, r);
+  r->exact = r->nsolved = r->npoint;
+  return um_study_solve(context, study, batch, r->parameter, r->npoint, r->value, r->reason);
 }
 
 enum um_status um_study_run(struct um_context *context, struct um_study *study,

@@ -21,8 +21,25 @@ static enum um_status reserve(struct um_context *context, const struct um_study_
   return um_core_allocate(context, r->nparameter * r->nvalue, sizeof **out, out);
 }
 
+/* By how much an index of a surrogate may be off where it leaves lambda of its own standard
+ * deviation unexplained: of roots of partial variances, over the root of the variance, one is off
+ * by at most l (1 + root), l of the function's (study/stand_in.c). */
+static double index_error(double index, double lambda)
+{
+  double root = sqrt(fmax(index, 0.0)), off = lambda / (1.0 - lambda) * (1.0 + root);
+  return fmin(off * (2.0 * root + off), 1.0);
+}
+
+/* Whether a surrogate's indices of value k, of quantity q, are said. */
+static bool is_borne(const struct um_study_result *r, size_t q, size_t k)
+{
+  if (k >= um_uncertainty_surrogate_values(r->surrogate) || r->quantity[q].withheld) return false;
+  if (r->error != NULL && isnan(r->error[q])) return false;
+  return r->unexplained == NULL || r->unexplained[k] <= UM_STUDY_BORNE;
+}
+
 /* The surrogate's values are the first of the result's; metrics that came later have no indices,
- * nor has what the surrogate was not asked to get right. */
+ * nor has what the surrogate does not bear. */
 static enum um_status from_surrogate(struct um_context *context, const struct um_study_result *r,
                                      struct um_study_statistics *l)
 {
@@ -32,15 +49,19 @@ static enum um_status from_surrogate(struct um_context *context, const struct um
   l->indices = UM_STUDY_INDICES_SURROGATE;
   UM_CHECK(reserve(context, r, &l->first));
   UM_CHECK(reserve(context, r, &l->total));
+  if (r->unexplained != NULL) UM_CHECK(reserve(context, r, &l->first_error));
   UM_CHECK(um_core_allocate(context, r->nparameter, 2 * n * sizeof *index, &index));
   UM_CHECK(um_uncertainty_surrogate_moments(context, r->surrogate, r->distribution, NULL, NULL,
                                             index, index + r->nparameter * n));
   for (size_t q = 0; q < r->nquantity; q++)
     for (size_t k = r->quantity[q].first; k < r->quantity[q].first + r->quantity[q].count; k++)
       for (size_t i = 0; i < r->nparameter; i++) {
-        bool has = k < n && (r->error == NULL || !isnan(r->error[q]));
-        l->first[i * r->nvalue + k] = has ? index[i * n + k] : NAN;
-        l->total[i * r->nvalue + k] = has ? index[(r->nparameter + i) * n + k] : NAN;
+        size_t at = i * r->nvalue + k;
+        bool has = is_borne(r, q, k);
+        l->first[at] = has ? index[i * n + k] : NAN;
+        l->total[at] = has ? index[(r->nparameter + i) * n + k] : NAN;
+        if (l->first_error != NULL)
+          l->first_error[at] = has ? index_error(l->first[at], r->unexplained[k]) : NAN;
       }
 done:
   um_core_free(context, index);

@@ -21,9 +21,10 @@ struct um_study_statistics {
   enum um_study_indices indices;
   double *quantile;         /* [UM_STUDY_QUANTILES][nvalue] */
   double *mean, *deviation; /* [nvalue] */
-  /* [nparameter][nvalue] share of the variance that is the parameter's own, with its standard error
-   * (sampled ones only), and with all that it does together with others (surrogate, sampled); NULL:
-   * not of these indices. NaN where nothing varies. */
+  /* [nparameter][nvalue] share of the variance that is the parameter's own, with its error
+   * (sampled: standard; surrogate: at most, by what it leaves unexplained), and with all that it
+   * does together with others (surrogate, sampled); NULL: not of these indices. NaN where nothing
+   * varies, and where a surrogate does not bear them: withheld. */
   double *first, *first_error, *total;
   double *correlation;           /* [nparameter][nvalue] Spearman's */
   double *effect, *effect_sigma; /* [nparameter][nvalue] Morris's mu* and sigma; NULL otherwise */

@@ -35,8 +35,10 @@ const char *um_study_measurements(const struct um_study *study);
 enum um_status um_study_print_check(struct um_context *context, struct um_study *study, FILE *file);
 
 /* All points, once. *out NULL: this process served another (um_batch_serve), or had a share of a
- * job array, which writes no results. UM_ERR_REFUSED: a surrogate that is not accurate enough at
- * its limit of points. Errors of um_batch_run. The caller destroys the result before the study. */
+ * job array, which writes no results. A surrogate that is not accurate enough at its limit of
+ * points ends with a result that says so (study/shortfall.h). UM_ERR_REFUSED: one of its points
+ * failed in a share of a job array. Errors of um_batch_run. The caller destroys the result before
+ * the study. */
 enum um_status um_study_run(struct um_context *context, struct um_study *study,
                             struct um_study_result **out);
 

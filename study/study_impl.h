@@ -51,6 +51,25 @@ enum um_status um_study_outputs_take(struct um_context *context, const void *use
                                      const struct um_model *model,
                                      const struct um_model_result *result, double *value);
 
+/* --- run.c --- */
+struct um_batch;
+/* Solve points [n][nbinding], those of one geometry one after another; value, reason as of
+ * um_batch_run. */
+enum um_status um_study_solve(struct um_context *context, const struct um_study *study,
+                              struct um_batch *batch, const double *parameter, size_t n,
+                              double *value, char **reason);
+/* --- stand_in.c --- */
+/* Values of the result's points by a surrogate; of the solved ones their own. What the surrogate
+ * does not bear is left to points that are solved: the result's falls_short, withheld and fewer
+ * points say so. */
+enum um_status um_study_stand_in(struct um_context *context, const struct um_study *study,
+                                 struct um_batch *batch, struct um_study_result *result);
+/* --- order.c --- */
+/* In which order points of the design are solved where not all of them are, out [npoint], such that
+ * the first ones are a sample of all: as it is of sobol, otherwise shuffled by the seed. */
+enum um_status um_study_order(struct um_context *context, const struct um_study *study,
+                              size_t npoint, size_t *out);
+
 /* --- limits.c --- */
 /* UM_ERR_INPUT with file and line: a limit of what is not among the outputs. */
 enum um_status um_study_limits_check(struct um_context *context, const struct um_study *study);

@@ -17,11 +17,16 @@
 #define UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX 10
 #define UM_UNCERTAINTY_HELD_OUT                 10  /* points, by default */
 #define UM_UNCERTAINTY_EVALUATIONS_MAX          200 /* by default */
-/* Held-out points have to agree within this share of the asked error before as many others are
- * held out to confirm it, which had no say in when to end: within that share, since not even they
- * find the worst place. */
-#define UM_UNCERTAINTY_HELD_OUT_SHARE  0.25
-#define UM_UNCERTAINTY_CONFIRMED_SHARE 0.5
+/* Held-out points have to agree within this share of the asked error before so many times as many
+ * fresh ones state it (stated.h); it is good enough where they state at most that share. */
+#define UM_UNCERTAINTY_HELD_OUT_SHARE 0.25
+#define UM_UNCERTAINTY_STATING        2
+#define UM_UNCERTAINTY_STATED_SHARE   0.7
+/* Share of values elsewhere that may be off by more than is stated. */
+#define UM_UNCERTAINTY_STATED_MISS 0.01
+/* Of the points allowed so many are not grown on: what they say of a surrogate that falls short is
+ * better than a term more of it. */
+#define UM_UNCERTAINTY_STATED_RESERVE 0.25
 
 /* Values first .. first + count - 1 and the error that is asked of them: |difference| <= absolute +
  * relative max(|f|, floor F), F the largest |f| of the group at the middle of all axes. */
@@ -43,12 +48,18 @@ struct um_uncertainty_surrogate_request {
   const struct um_uncertainty_group *group;
   um_uncertainty_evaluate *evaluate;
   void *user;
-  size_t held_out;        /* points, and as many to confirm; 0: UM_UNCERTAINTY_HELD_OUT */
+  size_t held_out;        /* points, and twice as many to state; 0: UM_UNCERTAINTY_HELD_OUT */
   size_t evaluations_max; /* held-out points with them; 0: UM_UNCERTAINTY_EVALUATIONS_MAX */
+  /* [nasked][d] places at which it will be asked, in random order: its error is stated for others
+   * of their kind, by the first of them. None, or beyond them: Halton's, equally likely anywhere.
+   */
+  const double *asked_at;
+  size_t nasked;
 };
 
 /* What held-out points say of a group. */
 struct um_uncertainty_surrogate_error {
+  double stated;   /* |difference| elsewhere over the error that was asked, by stated.h */
   double share;    /* largest |difference| over the error that was asked of that value */
   double absolute; /* largest |difference| */
   double relative; /* largest |difference| over max(|f|, floor F) */
@@ -59,11 +70,12 @@ struct um_uncertainty_surrogate_error {
 struct um_uncertainty_surrogate; /* opaque */
 
 /* Grow until the held-out points agree as said above and no newest term is larger than the asked
- * error. UM_ERR_REFUSED where that takes more evaluations than allowed, or at the rate of the last
- * doubling of points would, or a point fails: the message names group, value, error and what was
- * asked. UM_ERR_INPUT: d, a group outside the values, an error that is not above 0, no more points
- * allowed than are held out. UM_ERR_MEMORY; errors of evaluate. The caller destroys. The same for
- * any number of threads. Tests: tests/base/uncertainty/surrogate.c. */
+ * error. Where that takes more evaluations than allowed, or at the rate of the last doubling of
+ * points would, it falls short: what is left of the allowed evaluations states its error, and
+ * um_uncertainty_surrogate_short says why. UM_ERR_REFUSED: a point fails. UM_ERR_INPUT: d, a group
+ * outside the values, an error that is not above 0, no more points allowed than are held out.
+ * UM_ERR_MEMORY; errors of evaluate. The caller destroys. The same for any number of threads.
+ * Tests: tests/base/uncertainty/surrogate.c. */
 enum um_status
 um_uncertainty_surrogate_create(struct um_context *context,
                                 const struct um_uncertainty_surrogate_request *request,
@@ -82,6 +94,11 @@ size_t um_uncertainty_surrogate_evaluations(const struct um_uncertainty_surrogat
 size_t um_uncertainty_surrogate_terms(const struct um_uncertainty_surrogate *surrogate);
 size_t um_uncertainty_surrogate_values(const struct um_uncertainty_surrogate *surrogate);
 size_t um_uncertainty_surrogate_held_out(const struct um_uncertainty_surrogate *surrogate);
+/* Of these the last ones, which had no say in it and state its error. */
+size_t um_uncertainty_surrogate_stating(const struct um_uncertainty_surrogate *surrogate);
+/* Why it is further off than asked, naming group, value, error and what was asked; NULL: it is not.
+ * Borrowed. */
+const char *um_uncertainty_surrogate_short(const struct um_uncertainty_surrogate *surrogate);
 /* Highest degree along an axis. */
 size_t um_uncertainty_surrogate_degree(const struct um_uncertainty_surrogate *surrogate,
                                        size_t axis);

@@ -16,10 +16,11 @@ static enum um_status check(struct um_context *context,
                         "a surrogate of %zu parameters, at least 1 and at most %d", r->d,
                         UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX);
   size_t held = r->held_out ? r->held_out : UM_UNCERTAINTY_HELD_OUT;
-  if (r->evaluations_max > 0 && r->evaluations_max <= 2 * held)
+  held += UM_UNCERTAINTY_STATING * held;
+  if (r->evaluations_max > 0 && r->evaluations_max <= held)
     return um_core_fail(context, UM_ERR_INPUT,
                         "a surrogate of at most %zu points, of which %zu are held out",
-                        r->evaluations_max, 2 * held);
+                        r->evaluations_max, held);
   for (size_t i = 0; i < r->ngroup; i++) {
     const struct um_uncertainty_group *g = &r->group[i];
     if (g->first > r->nvalue || g->count > r->nvalue - g->first)
@@ -41,24 +42,24 @@ static bool all_small(const struct um_uncertainty_surrogate *s)
   return true;
 }
 
-static enum um_status refuse(struct um_context *context, const struct um_uncertainty_growth *g,
-                             const char *why)
+/* It is further off than asked, and will not be better. */
+static enum um_status fall_short(struct um_context *context, const struct um_uncertainty_growth *g,
+                                 const char *why)
 {
-  const struct um_uncertainty_surrogate *s = g->s;
+  struct um_uncertainty_surrogate *s = g->s;
   size_t worst = 0;
   for (size_t i = 1; i < s->ngroup; i++)
     if (s->error[i].share > s->error[worst].share) worst = i;
   const struct um_uncertainty_surrogate_error *e = &s->error[worst];
-  return um_core_fail(
-      context, UM_ERR_REFUSED,
-      "the response is not smooth enough for a surrogate: %s, value %zu: after %zu "
-      "points off by %.3g at a held-out point, %.3g times what is asked; %s; compute "
-      "each point exactly, or ask for less",
+  return um_core_asprintf(
+      context, &s->falls_short,
+      "the response is not smooth enough for a surrogate: %s, value %zu: after "
+      "%zu points off by %.3g at a held-out point, %.3g times what is asked; %s",
       g->request->group[worst].name, e->value, g->evaluations, e->absolute, e->share, why);
 }
 
-/* Whether it will do at the rate at which the last doubling of points helped: the error falls like
- * a power of their number, or faster where the function is smooth. */
+/* Whether it will not do at the rate at which the last doubling of points helped: the error falls
+ * like a power of their number, or faster where the function is smooth. */
 static enum um_status look_ahead(struct um_context *context, struct um_uncertainty_growth *g,
                                  double share)
 {
@@ -81,11 +82,20 @@ static enum um_status look_ahead(struct um_context *context, struct um_uncertain
              g->evaluations_max);
   else
     snprintf(why, sizeof why, "more points do not help");
-  return refuse(context, g, why);
+  return fall_short(context, g, why);
 }
 
-/* Choose until something is wanted. */
-static enum um_status next(struct um_context *context, struct um_uncertainty_growth *g,
+/* Points that are left for growing. */
+static size_t room_of(const struct um_uncertainty_growth *g, size_t batch)
+{
+  double kept =
+      fmax((double)batch, floor(UM_UNCERTAINTY_STATED_RESERVE * (double)g->evaluations_max));
+  size_t used = g->evaluations + (size_t)kept;
+  return used < g->evaluations_max ? g->evaluations_max - used : 0;
+}
+
+/* Choose until something is wanted; *n 0: it falls short. */
+static enum um_status next(struct um_context *context, struct um_uncertainty_growth *g, size_t room,
                            unsigned char **list, size_t *n)
 {
   bool left = true;
@@ -94,10 +104,26 @@ static enum um_status next(struct um_context *context, struct um_uncertainty_gro
     for (size_t t = 0; t < g->s->nterm; t++) left = left || !g->s->term[t].passed;
     if (left) UM_TRY(um_uncertainty_growth_choose(context, g, list, n));
   }
-  if (*n == 0) return refuse(context, g, "the highest degrees are in use");
-  size_t room = g->evaluations_max - g->evaluations;
-  if (room == 0) return refuse(context, g, "no more points are allowed");
+  if (*n == 0) return fall_short(context, g, "the highest degrees are in use");
   if (*n > room) *n = room;
+  return *n > 0 ? UM_OK : fall_short(context, g, "no more points are allowed");
+}
+
+/* The last word of one that falls short, by all points that are left, or all places at which it
+ * will be asked where these are fewer; they may find it good enough after all. */
+static enum um_status end_short(struct um_context *context, struct um_uncertainty_growth *g,
+                                size_t batch)
+{
+  double share;
+  size_t left = g->evaluations_max - g->evaluations;
+  size_t given = g->request->nasked > g->stated_by ? g->request->nasked - g->stated_by : 0;
+  if (given < batch) given = batch;
+  if (g->request->nasked > 0 && left > given) left = given;
+  UM_TRY(um_uncertainty_growth_state(context, g, left, &share));
+  if (share <= UM_UNCERTAINTY_STATED_SHARE) {
+    um_core_free(context, g->s->falls_short);
+    g->s->falls_short = NULL;
+  }
   return UM_OK;
 }
 
@@ -105,23 +131,30 @@ static enum um_status grow(struct um_context *context, struct um_uncertainty_gro
 {
   enum um_status status;
   unsigned char *list = NULL;
-  size_t batch = g->request->held_out ? g->request->held_out : UM_UNCERTAINTY_HELD_OUT;
-  UM_CHECK(um_uncertainty_growth_begin(context, g, batch));
+  size_t held = g->request->held_out ? g->request->held_out : UM_UNCERTAINTY_HELD_OUT;
+  size_t batch = UM_UNCERTAINTY_STATING * held;
+  UM_CHECK(um_uncertainty_growth_begin(context, g, held));
   for (;;) {
     double share = um_uncertainty_growth_judge(g);
-    size_t n;
+    size_t n, room = room_of(g, batch);
     if (share <= UM_UNCERTAINTY_HELD_OUT_SHARE && all_small(g->s)) {
       /* these points had a say in when to end; others have not */
-      if (g->evaluations_max - g->evaluations < batch)
-        UM_CHECK(refuse(context, g, "no points are left to confirm it by"));
-      UM_CHECK(um_uncertainty_growth_hold(context, g, batch));
+      if (room < batch) {
+        UM_CHECK(fall_short(context, g, "no more points are allowed"));
+        break;
+      }
+      UM_CHECK(um_uncertainty_growth_state(context, g, batch, &share));
+      if (share <= UM_UNCERTAINTY_STATED_SHARE) break;
       share = um_uncertainty_growth_judge(g);
-      if (share <= UM_UNCERTAINTY_CONFIRMED_SHARE) break;
+      room -= batch;
     }
     UM_CHECK(look_ahead(context, g, share));
-    UM_CHECK(next(context, g, &list, &n));
+    if (g->s->falls_short != NULL) break;
+    UM_CHECK(next(context, g, room, &list, &n));
+    if (n == 0) break;
     UM_CHECK(um_uncertainty_growth_add(context, g, list, n));
   }
+  if (g->s->falls_short != NULL) UM_CHECK(end_short(context, g, batch));
 done:
   um_core_free(context, list);
   return status;
@@ -163,7 +196,7 @@ void um_uncertainty_surrogate_destroy(struct um_context *context,
   struct um_uncertainty_surrogate *s = *surrogate;
   if (s == NULL) return;
   for (size_t t = 0; t < s->nterm; t++) um_core_free(context, s->term[t].surplus);
-  UM_FREE(context, s->term, s->nowhere, s->error, s);
+  UM_FREE(context, s->term, s->nowhere, s->error, s->falls_short, s);
   *surrogate = NULL;
 }
 
@@ -182,6 +215,14 @@ size_t um_uncertainty_surrogate_values(const struct um_uncertainty_surrogate *su
 size_t um_uncertainty_surrogate_held_out(const struct um_uncertainty_surrogate *surrogate)
 {
   return surrogate->nheld;
+}
+size_t um_uncertainty_surrogate_stating(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->nstating;
+}
+const char *um_uncertainty_surrogate_short(const struct um_uncertainty_surrogate *surrogate)
+{
+  return surrogate->falls_short;
 }
 size_t um_uncertainty_surrogate_degree(const struct um_uncertainty_surrogate *surrogate,
                                        size_t axis)

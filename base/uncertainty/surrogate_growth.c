@@ -8,8 +8,8 @@
 #include "base/core/constants.h"
 #include "base/uncertainty/design.h"
 
-/* The error that is asked of a value of that size. */
-static double asked(const struct um_uncertainty_growth *g, size_t group, double value)
+double um_uncertainty_growth_asked(const struct um_uncertainty_growth *g, size_t group,
+                                   double value)
 {
   const struct um_uncertainty_group *of = &g->request->group[group];
   return of->absolute + of->relative * fmax(fabs(value), of->floor * g->largest[group]);
@@ -64,7 +64,7 @@ static double size_of(const struct um_uncertainty_growth *g, const double *diffe
     const struct um_uncertainty_group *group = &g->request->group[i];
     for (size_t k = group->first; k < group->first + group->count; k++) {
       if (difference[k] == 0.0) continue;
-      size = fmax(size, fabs(difference[k]) / asked(g, i, of[k]));
+      size = fmax(size, fabs(difference[k]) / um_uncertainty_growth_asked(g, i, of[k]));
     }
   }
   return size;
@@ -82,7 +82,7 @@ double um_uncertainty_growth_judge(struct um_uncertainty_growth *g)
         size_t at = h * s->nvalue + group->first + k;
         double difference = fabs(g->left[at]);
         if (difference == 0.0) continue;
-        double share = difference / asked(g, i, g->held_value[at]);
+        double share = difference / um_uncertainty_growth_asked(g, i, g->held_value[at]);
         e.absolute = fmax(e.absolute, difference);
         e.relative = fmax(e.relative,
                           difference / fmax(fabs(g->held_value[at]), group->floor * g->largest[i]));
@@ -170,13 +170,13 @@ done:
   return status;
 }
 
-/* Places of n more held-out points, behind those there are: Halton's sequence, whose numbers are on
- * no grid, gathered toward the ends of the axes, where polynomials err most. */
-static enum um_status more_places(struct um_context *context, struct um_uncertainty_growth *g,
-                                  size_t n, double *place)
+/* Places of the first n held-out points: Halton's sequence, whose numbers are on no grid, gathered
+ * toward the ends of the axes, where polynomials err most. */
+static enum um_status first_places(struct um_context *context, struct um_uncertainty_growth *g,
+                                   size_t n, double *place)
 {
   double *u = NULL;
-  UM_TRY(um_uncertainty_halton(context, g->s->d, 2 + g->s->nheld, n, &u));
+  UM_TRY(um_uncertainty_halton(context, g->s->d, 2, n, &u));
   for (size_t i = 0; i < n * g->s->d; i++) place[i] = 0.5 - 0.5 * cos(UM_PI * u[i]);
   um_core_free(context, u);
   return UM_OK;
@@ -192,13 +192,14 @@ static enum um_status reserve_held(struct um_context *context, struct um_uncerta
 }
 
 enum um_status um_uncertainty_growth_hold(struct um_context *context,
-                                          struct um_uncertainty_growth *g, size_t n)
+                                          struct um_uncertainty_growth *g, const double *place,
+                                          size_t n)
 {
   struct um_uncertainty_surrogate *s = g->s;
   size_t before = s->nheld, count = n * s->nvalue;
   UM_TRY(reserve_held(context, g, n));
-  double *value = g->held_value + before * s->nvalue, *place = g->held + before * s->d;
-  UM_TRY(more_places(context, g, n, place));
+  double *value = g->held_value + before * s->nvalue;
+  memcpy(g->held + before * s->d, place, n * s->d * sizeof *place);
   UM_TRY(evaluate(context, g, place, n, value));
   memcpy(g->left + before * s->nvalue, value, count * sizeof *value);
   s->nheld += n;
@@ -217,7 +218,7 @@ enum um_status um_uncertainty_growth_begin(struct um_context *context,
   UM_CHECK(um_core_allocate(context, 1 + nheld, s->nvalue * sizeof *value, &value));
   UM_CHECK(reserve_held(context, g, nheld));
   for (size_t k = 0; k < s->d; k++) place[k] = s->axis.x[0];
-  UM_CHECK(more_places(context, g, nheld, place + s->d));
+  UM_CHECK(first_places(context, g, nheld, place + s->d));
   UM_CHECK(evaluate(context, g, place, 1 + nheld, value)); /* in one go, for many processes */
   memcpy(g->held, place + s->d, nheld * s->d * sizeof *place);
   memcpy(g->held_value, value + s->nvalue, nheld * s->nvalue * sizeof *value);

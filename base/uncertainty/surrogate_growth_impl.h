@@ -14,15 +14,25 @@ struct um_uncertainty_growth {
   double *left;              /* [nheld][nvalue] of them what the terms so far do not say */
   double *basis;             /* [room] */
   size_t evaluations, evaluations_max, looked_at, searches;
-  double before; /* share of the asked error at that number of evaluations */
+  size_t looks, stated_by; /* times that its error was stated, places of the request used for it */
+  double before;           /* share of the asked error at that number of evaluations */
 };
 
 /* The middle and nheld held-out points. */
 enum um_status um_uncertainty_growth_begin(struct um_context *context,
                                            struct um_uncertainty_growth *g, size_t nheld);
-/* n more held-out points. */
+/* State the errors by n more held-out points, which had no say so far. *share: the largest that is
+ * stated, of what is asked. */
+enum um_status um_uncertainty_growth_state(struct um_context *context,
+                                           struct um_uncertainty_growth *g, size_t n,
+                                           double *share);
+/* n more held-out points at these places [n][d]. */
 enum um_status um_uncertainty_growth_hold(struct um_context *context,
-                                          struct um_uncertainty_growth *g, size_t n);
+                                          struct um_uncertainty_growth *g, const double *place,
+                                          size_t n);
+/* The error that is asked of a value of that size. */
+double um_uncertainty_growth_asked(const struct um_uncertainty_growth *g, size_t group,
+                                   double value);
 /* Terms of these degrees [n][d], none of which is above another and all of whose lower neighbours
  * are there. */
 enum um_status um_uncertainty_growth_add(struct um_context *context,

@@ -23,7 +23,8 @@ struct um_uncertainty_term {
 };
 
 struct um_uncertainty_surrogate {
-  size_t d, nvalue, ngroup, nterm, room, nheld, evaluations;
+  size_t d, nvalue, ngroup, nterm, room, nheld, nstating, evaluations;
+  char *falls_short;                                      /* why; NULL: it does not */
   size_t levels[UM_UNCERTAINTY_SURROGATE_DIMENSIONS_MAX]; /* highest degree + 1 */
   struct um_uncertainty_axis axis;
   bool *nowhere;                                /* [nvalue] values that are NaN at every point */

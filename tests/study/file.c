@@ -70,6 +70,8 @@ static const struct {
     {"parameters: [{key: a, values: [1, 2, 3]}, {key: b, values: [4, 5]}]\ndesign: list\n",
      "2 values beside 3"},
     {"parameters: [{key: a, values: [1, 2, 3]}]\nmode: surrogate\n", "nothing between them"},
+    {"parameters: [{key: a, from: 1, to: 2}]\nmode: surrogate\nevaluations: 30\n",
+     "accepted: more than 30"},
     {ONE "mode: guess\n", "exact"},
     {ONE "error: {light: 0}\n", "light"},
     {ONE "outputs: {bands: vis}\n", "bands"},

@@ -13,9 +13,20 @@
 
 static char *const names[] = {"power", "emittance"}, *const units[] = {"W", ""};
 static struct um_study_quantity quantities[] = {
-    {"irradiance:vis", "W/m2", "vis", 0, 3, true},
-    {"irradiance:lwir", "W/m2", "lwir", 3, 3, true},
-    {"temperature:bus", "K", "bus", 6, 3, false},
+    {.name = "irradiance:vis",
+     .unit = "W/m2",
+     .of = "vis",
+     .count = 3,
+     .light = true,
+     .asked = 1e-3},
+    {.name = "irradiance:lwir",
+     .unit = "W/m2",
+     .of = "lwir",
+     .first = 3,
+     .count = 3,
+     .light = true,
+     .asked = 1e-3},
+    {.name = "temperature:bus", .unit = "K", .of = "bus", .first = 6, .count = 3, .asked = 0.2},
 };
 
 static void need(int code)
@@ -37,6 +48,7 @@ static void test_read_back(void **state)
                                     .scenario = "s",
                                     .nparameter = 2,
                                     .npoint = 4,
+                                    .wanted = 4,
                                     .nvalue = 9,
                                     .nquantity = 3,
                                     .ntime = 3,
@@ -93,6 +105,13 @@ static void test_read_back(void **state)
   need(nc_inq_varid(file, "irradiance_error", &id));
   need(nc_get_var_double(file, id, light));
   assert_true(light[1] == 2e-3);
+  need(nc_inq_varid(file, "irradiance_error_asked", &id));
+  need(nc_get_var_double(file, id, light));
+  assert_true(light[1] == 1e-3);
+  memset(text, 0, sizeof text);
+  need(nc_get_att_text(file, NC_GLOBAL, "falls_short", text));
+  assert_string_equal(text,
+                      "irradiance:lwir: error at most 0.002, 2 times the 0.001 that is asked");
   need(nc_inq_varid(file, "reason", &id));
   char *words[4];
   need(nc_get_var_string(file, id, words));

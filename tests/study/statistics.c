@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/uncertainty/statistics.h"
 #include "orbit/time.h"
 #include "study/per_point.h"
 #include "study/report.h"
@@ -48,6 +49,90 @@ static void test_designs(void **state)
     um_study_statistics_destroy(context, &l[i]);
     um_study_result_destroy(context, &r[i]);
   }
+}
+
+/* A surrogate of the pass in place of the result's, of that many evaluations. */
+static void take_surrogate(struct um_study_result *r, size_t evaluations)
+{
+  struct um_uncertainty_group group = {
+      .name = "curves", .count = 3 * PASS_NTIME, .relative = 1e-4, .floor = 0.01};
+  struct um_uncertainty_surrogate_request request = {.d = 3,
+                                                     .nvalue = PASS_NVALUE,
+                                                     .ngroup = 1,
+                                                     .group = &group,
+                                                     .evaluate = pass_evaluate,
+                                                     .user = r,
+                                                     .held_out = 2,
+                                                     .evaluations_max = evaluations};
+  um_uncertainty_surrogate_destroy(context, &r->surrogate);
+  assert_int_equal(um_uncertainty_surrogate_create(context, &request, &r->surrogate), UM_OK);
+}
+
+/* What it leaves unexplained of each value's standard deviation, at the result's own points. */
+static void find_unexplained(struct um_study_result *r)
+{
+  double *place = pass_doubles(r->npoint * 3), *value = pass_doubles(r->npoint * PASS_NVALUE),
+         *deviation = pass_doubles(PASS_NVALUE);
+  if (r->unexplained == NULL) r->unexplained = pass_doubles(PASS_NVALUE);
+  for (size_t i = 0; i < r->npoint * 3; i++)
+    place[i] = um_uncertainty_distribution_place(&r->distribution[i % 3], r->parameter[i]);
+  assert_int_equal(um_uncertainty_surrogate_at(context, r->surrogate, place, r->npoint, value),
+                   UM_OK);
+  um_uncertainty_mean(r->npoint, PASS_NVALUE, value, NULL, NULL, deviation);
+  for (size_t k = 0; k < PASS_NVALUE; k++) {
+    double sum = 0.0;
+    for (size_t i = 0; i < r->npoint; i++)
+      sum += pow(value[i * PASS_NVALUE + k] - r->value[i * PASS_NVALUE + k], 2.0);
+    r->unexplained[k] = sqrt(sum / (double)r->npoint) / deviation[k];
+  }
+  UM_FREE(context, place, value, deviation);
+}
+
+/* Indices of a surrogate that leaves something unexplained are off by no more than they say, those
+ * of which it leaves too much are withheld, and a sentence says so. */
+static void test_unexplained(void **state)
+{
+  (void)state;
+  struct um_study_result *r = pass_sobol(1024, true);
+  struct um_study_statistics *tight, *l;
+  char *sentence;
+  size_t said = 0, withheld = 0;
+  double most = 0.0;
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &tight), UM_OK);
+  assert_null(tight->first_error);
+  for (size_t evaluations = 9; evaluations <= 18; evaluations++) {
+    take_surrogate(r, evaluations);
+    find_unexplained(r);
+    assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
+    for (size_t i = 0; i < 3 * PASS_NVALUE; i++) {
+      double lambda = r->unexplained[i % PASS_NVALUE], of = l->first_error[i];
+      if (isnan(tight->first[i])) continue;
+      assert_true(isfinite(l->first[i]) == (lambda <= UM_STUDY_BORNE));
+      assert_true(isfinite(of) == isfinite(l->first[i]));
+      withheld += isnan(of) ? 1 : 0;
+      said += isnan(of) ? 0 : 1;
+      if (isnan(of)) continue;
+      assert_close(l->first[i], tight->first[i], of + 0.005);
+      most = fmax(most, fabs(l->first[i] - tight->first[i]));
+    }
+    if (evaluations < 18) um_study_statistics_destroy(context, &l);
+  }
+  print_message("%zu indices, off by %.3g at most; %zu withheld\n", said, most, withheld);
+  assert_true(said > 1000 && withheld > 300 && most > 0.01);
+  um_study_statistics_destroy(context, &l);
+  for (size_t k = PASS_NTIME; k < PASS_NTIME + 40; k++) r->unexplained[k] = 1.01 * UM_STUDY_BORNE;
+  r->quantity[2].withheld = true;
+  assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
+  assert_true(isnan(l->first[PASS_NTIME + 39]) && isfinite(l->first[PASS_NTIME + 40]));
+  assert_int_equal(um_study_sentence(context, r, l, &r->quantity[1], &sentence), UM_OK);
+  assert_non_null(strstr(sentence, "shares of parameters are withheld in 3.9 of 12 minutes"));
+  um_core_free(context, sentence);
+  assert_int_equal(um_study_sentence(context, r, l, &r->quantity[2], &sentence), UM_OK);
+  assert_non_null(strstr(sentence, "shares of parameters are withheld in 12 of 12 minutes"));
+  um_core_free(context, sentence);
+  um_study_statistics_destroy(context, &l);
+  um_study_statistics_destroy(context, &tight);
+  um_study_result_destroy(context, &r);
 }
 
 /* The median of a value that is monotonic in one uniform parameter is that at its middle. */
@@ -227,8 +312,9 @@ static void test_tables(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_designs), cmocka_unit_test(test_spread),
-                                     cmocka_unit_test(test_sentence), cmocka_unit_test(test_tables),
-                                     cmocka_unit_test(test_limits)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_designs), cmocka_unit_test(test_unexplained),
+      cmocka_unit_test(test_spread),  cmocka_unit_test(test_sentence),
+      cmocka_unit_test(test_tables),  cmocka_unit_test(test_limits)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
