@@ -1,6 +1,7 @@
 /* What falls short, said once for the terminal, the log, tables and study.nc. */
 #include "study/shortfall.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -34,10 +35,11 @@ static enum um_status say_quantity(struct um_context *context, const struct um_s
   const char *unit = of->light && of->unit[0] == 'W' ? "" : of->unit;
   if (of->withheld)
     UM_TRY(say(context, text,
-               "%s: from the %zu points that were solved alone: the surrogate leaves %.2g of its "
-               "standard deviation open, %.2g is borne; withheld: its values at other points, and "
-               "Sobol shares",
-               of->name, um_study_points_of(r, of), of->unexplained, UM_STUDY_BORNE));
+               "%s: from the %zu points that were solved alone, its mean within %.2g standard "
+               "deviations: the surrogate leaves %.2g of one open, %.2g is borne; withheld: its "
+               "values at other points, and Sobol shares",
+               of->name, um_study_points_of(r, of), 1.0 / sqrt((double)um_study_points_of(r, of)),
+               of->unexplained, UM_STUDY_BORNE));
   if (of->asked > 0.0 && r->error[q] > of->asked)
     UM_TRY(say(context, text, "%s: error at most %.2g%s%s, %.3g times the %.2g that is asked",
                of->name, r->error[q], unit[0] != '\0' ? " " : "", unit, r->error[q] / of->asked,
