@@ -96,13 +96,14 @@ static void shares(struct um_plot *plot, const struct um_study_result *r,
     um_plot_add(plot, "set key vertical maxrows %d\n", legend_rows(r));
   else
     um_plot_add(plot, "unset key\n");
-  if (!varies(l, of))
-    um_plot_add(plot, "set label 1 'nothing varies it' at graph 0.5, graph 0.5 center "
-                      "textcolor rgb '#666666'\n");
-  /* up to column i of the parameters' first indices, none where nothing varies */
+  const char *note = !varies(l, of) ? "nothing varies it" : of->withheld ? "withheld" : NULL;
+  if (note != NULL)
+    um_plot_add(plot, "set label 1 %s at graph 0.5, graph 0.5 center textcolor rgb '#666666'\n",
+                note);
+  /* up to column i of the parameters' first indices, none where nothing varies or none is said */
   um_plot_add(plot,
               "set yrange [0:1] noreverse\nset ytics 0.5\n"
-              "moves(i) = strcol(3) eq '' ? NaN : column(3) > %g ? 1 : 0\n"
+              "moves(i) = strcol(3) eq '' ? NaN : strcol(4) ne '' && column(3) > %g ? 1 : 0\n"
               "f(i) = strcol(i) eq '' ? 0 : column(i) < 0 ? 0 : column(i)\n"
               "upto(n) = moves(0) == 0 ? 0 : moves(0) * (sum [j=1:n] f(4 * j))\n"
               "plot ",

@@ -154,6 +154,32 @@ static void test_refused_point(void **state)
   free(points);
 }
 
+/* A surrogate that does not reach what is asked is a result with warnings: stated beside asked. */
+static void test_short(void **state)
+{
+  (void)state;
+  command_write(
+      "short.yaml",
+      "schema: 1\nname: short\nscenario: box.yaml\nmode: surrogate\nevaluations: 40\n"
+      "parameters:\n"
+      "  - {effect: attitude_offset, parameter: z_deg, from: -40, to: 40}\n"
+      "  - {key: parts.bus.box.size_m.0, from: 0.7, to: 1.3}\n"
+      "error: {light: 1e-5, temperature_K: 0.001}\noutputs: {bands: [vis], places: [bus]}\n");
+  struct command c = command_run("study", "short.yaml", "-o", "short", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  assert_non_null(strstr(c.err, "not smooth enough for a surrogate"));
+  assert_non_null(strstr(c.err, "times the 0.001 that is asked"));
+  assert_non_null(strstr(c.out, ", asked 0.001 (in its unit)"));
+  command_release(&c);
+  char *table = command_read("short/table.md");
+  assert_non_null(strstr(table, "times the 0.001 that is asked"));
+  free(table);
+  struct table t = table_read("short/summary.csv");
+  assert_true(table_number(&t, 2, "error") > table_number(&t, 2, "error_asked"));
+  table_release(&t);
+  assert_false(command_exists("short.points"));
+}
+
 /* Measurements that the study names: every point's chi-square against them is kept, least near what
  * they were made of; a file that is not there is refused at its line before anything is computed.
  */
@@ -189,6 +215,6 @@ int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
   const struct CMUnitTest tests[] = {TEST(test_kills), TEST(test_full), TEST(test_refused_point),
-                                     TEST(test_measured)};
+                                     TEST(test_short), TEST(test_measured)};
   return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }

@@ -95,6 +95,30 @@ static void test_surrogate(void **state)
   um_study_result_destroy(context, &r);
 }
 
+/* Where no shares are said the picture says so, and shows none that several have at once. */
+static void test_withheld(void **state)
+{
+  (void)state;
+  char base[UM_TEST_PATH], path[UM_TEST_PATH + 10], name[UM_TEST_PATH + 20], line[2000];
+  struct um_study_result *r = pass_sobol(200, true);
+  r->quantity[0].withheld = true;
+  draw(r, NULL, base, path, sizeof path);
+  snprintf(name, sizeof name, "%s/plots.gp", path);
+  FILE *file = fopen(name, "r");
+  size_t said = 0, moves = 0;
+  assert_non_null(file);
+  while (fgets(line, sizeof line, file) != NULL) {
+    said += strncmp(line, "set label 1 'withheld'", 22) == 0;
+    moves += strstr(line, "strcol(4) ne '' && column(3)") != NULL;
+  }
+  fclose(file);
+  assert_int_equal(said, 1);
+  assert_int_equal(moves, 3);
+  drawn(path, "bands.png", 5000);
+  done(base, path);
+  um_study_result_destroy(context, &r);
+}
+
 static void test_points(void **state)
 {
   (void)state;
@@ -123,6 +147,7 @@ static void test_points(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_surrogate),
+                                     cmocka_unit_test(test_withheld),
                                      cmocka_unit_test(test_points)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
