@@ -171,6 +171,36 @@ static void test_short(void **state)
   um_uncertainty_surrogate_destroy(c, &s);
 }
 
+/* Of however many points: it falls short of too few, and all that are left state it; with more of
+ * them these find it good enough though it could not have gone on; then no more than it wants. */
+static void test_allowed(void **state)
+{
+  (void)state;
+  struct um_context *c = context;
+  size_t shorts = 0, last = 0, whole = 0;
+  for (size_t allowed = 10; allowed <= 40; allowed++) {
+    struct function f = {.d = 2, .at = polynomials};
+    struct um_uncertainty_group group;
+    struct um_uncertainty_surrogate_request r = ask(&f, &group, 1e-9);
+    struct um_uncertainty_surrogate *s = NULL;
+    r.held_out = 3;
+    r.evaluations_max = allowed;
+    assert_int_equal(um_uncertainty_surrogate_create(c, &r, &s), UM_OK);
+    bool is_short = um_uncertainty_surrogate_short(s) != NULL;
+    assert_true(f.points <= allowed && um_uncertainty_surrogate_evaluations(s) == f.points);
+    assert_true(is_short == (um_uncertainty_surrogate_errors(s)[0].stated > 0.7));
+    size_t stating = um_uncertainty_surrogate_stating(s);
+    assert_true(stating >= 6);
+    if (is_short || stating > 6) assert_int_equal(f.points, allowed);
+    shorts += is_short;
+    last += !is_short && stating > 6;
+    whole += !is_short && stating == 6;
+    um_uncertainty_surrogate_destroy(c, &s);
+  }
+  print_message("%zu fall short, %zu do in the end, %zu do\n", shorts, last, whole);
+  assert_true(shorts > 5 && last > 1 && whole > 5);
+}
+
 /* Places at which it will be asked state its error: those of a part where the function is smooth
  * find a step elsewhere no harm. */
 static void test_asked_at(void **state)
@@ -272,7 +302,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_polynomials), cmocka_unit_test(test_smooth),
       cmocka_unit_test(test_short),       cmocka_unit_test(test_asked_at),
-      cmocka_unit_test(test_hidden),      cmocka_unit_test(test_failures),
-      cmocka_unit_test(test_memory)};
+      cmocka_unit_test(test_allowed),     cmocka_unit_test(test_hidden),
+      cmocka_unit_test(test_failures),    cmocka_unit_test(test_memory)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
