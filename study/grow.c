@@ -63,6 +63,11 @@ done:
   return status;
 }
 
+double um_study_left(const struct um_study_result *r, size_t q)
+{
+  return r->quantity[q].asked - fmin(r->error[q], UM_STUDY_SHARE_SURROGATE * r->quantity[q].asked);
+}
+
 enum um_status um_study_grow(struct um_context *context, struct stand_in *s)
 {
   enum um_status status;
@@ -72,11 +77,12 @@ enum um_status um_study_grow(struct um_context *context, struct stand_in *s)
   UM_CHECK(um_core_allocate(context, r->nquantity, sizeof *group, &group));
   for (size_t q = 0; q < r->nquantity; q++) {
     bool relative = s->study->output[q].kind == UM_STUDY_IRRADIANCE;
+    double left = um_study_left(r, q);
     group[q] = (struct um_uncertainty_group){.name = r->quantity[q].name,
                                              .first = r->quantity[q].first,
                                              .count = r->quantity[q].count,
-                                             .absolute = relative ? 0.0 : r->quantity[q].asked,
-                                             .relative = relative ? r->quantity[q].asked : 0.0,
+                                             .absolute = relative ? 0.0 : left,
+                                             .relative = relative ? left : 0.0,
                                              .floor = UM_STUDY_FLOOR};
   }
   const struct um_uncertainty_surrogate_request request = {.d = s->study->nbinding,

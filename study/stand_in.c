@@ -144,7 +144,7 @@ static enum um_status finish(struct um_context *context, struct stand_in *s, dou
     all = withhold(r, solved);
   }
   for (size_t q = 0; q < r->nquantity; q++)
-    if (!r->quantity[q].withheld) r->error[q] += error[q].stated * r->quantity[q].asked;
+    if (!r->quantity[q].withheld) r->error[q] += error[q].stated * um_study_left(r, q);
   if (all) keep_solved(context, solved, r);
   return UM_OK;
 }

@@ -13,6 +13,8 @@ struct stand_in {
   size_t taken, solved;      /* points of the design so far, and all */
 };
 
+/* What solved points leave of the asked error for the surrogate; the result has their own. */
+double um_study_left(const struct um_study_result *result, size_t quantity);
 /* The surrogate of all quantities, into the result. UM_ERR_REFUSED: one of its points failed.
  * Errors of um_uncertainty_surrogate_create. */
 enum um_status um_study_grow(struct um_context *context, struct stand_in *s);

@@ -103,6 +103,8 @@ size_t um_study_base(const struct um_study *study);
 /* What every parameter wants computed anew; it is tried at both ends. */
 enum um_status um_study_dependencies_find(struct um_context *context, struct um_study *study);
 /* --- tolerance.c --- */
+/* Of the asked error that solved points may use up where a surrogate takes the rest. */
+#define UM_STUDY_SHARE_SURROGATE 0.3
 /* The loosest tolerances that keep the asked error, held against a run with the scenario's own. */
 enum um_status um_study_tolerance(struct um_context *context, struct um_study *study);
 

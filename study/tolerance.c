@@ -5,9 +5,8 @@
 
 /* Of the asked error that tolerances may use up at the place where they are measured. A surrogate
  * takes what is left of them from point to point for structure, and wants more points for it than
- * tighter tolerances cost; its held-out points then agree within half of the asked error. */
-#define SHARE           0.5
-#define SHARE_SURROGATE 0.3
+ * tighter tolerances cost; it then states the rest at most. */
+#define SHARE 0.5
 
 /* Upper ends of all that leaves the geometry as it is. *n 0: there is none. */
 static enum um_status corner_open(struct um_context *context, const struct um_study *study,
@@ -44,7 +43,7 @@ enum um_status um_study_tolerance(struct um_context *context, struct um_study *s
 {
   enum um_status status = UM_OK;
   const struct um_variant_error any = {INFINITY, INFINITY, INFINITY};
-  double share = study->file->mode == UM_STUDY_SURROGATE ? SHARE_SURROGATE : SHARE;
+  double share = study->file->mode == UM_STUDY_SURROGATE ? UM_STUDY_SHARE_SURROGATE : SHARE;
   struct um_variant corner = {0};
   study->accuracy.tolerance = um_variant_tolerance_asked(&any, NULL);
   if (!any_heat(study)) return UM_OK;

@@ -18,10 +18,9 @@
 #define UM_UNCERTAINTY_HELD_OUT                 10  /* points, by default */
 #define UM_UNCERTAINTY_EVALUATIONS_MAX          200 /* by default */
 /* Held-out points have to agree within this share of the asked error before so many times as many
- * fresh ones state it (stated.h); it is good enough where they state at most that share. */
+ * fresh ones state it (stated.h); it is good enough where they state no more than is asked. */
 #define UM_UNCERTAINTY_HELD_OUT_SHARE 0.25
 #define UM_UNCERTAINTY_STATING        2
-#define UM_UNCERTAINTY_STATED_SHARE   0.7
 /* Share of values elsewhere that may be off by more than is stated. */
 #define UM_UNCERTAINTY_STATED_MISS 0.01
 /* Of the points allowed so many are not grown on: what they say of a surrogate that falls short is

@@ -120,7 +120,7 @@ static enum um_status end_short(struct um_context *context, struct um_uncertaint
   if (given < batch) given = batch;
   if (g->request->nasked > 0 && left > given) left = given;
   UM_TRY(um_uncertainty_growth_state(context, g, left, &share));
-  if (share <= UM_UNCERTAINTY_STATED_SHARE) {
+  if (share <= 1.0) {
     um_core_free(context, g->s->falls_short);
     g->s->falls_short = NULL;
   }
@@ -144,7 +144,7 @@ static enum um_status grow(struct um_context *context, struct um_uncertainty_gro
         break;
       }
       UM_CHECK(um_uncertainty_growth_state(context, g, batch, &share));
-      if (share <= UM_UNCERTAINTY_STATED_SHARE) break;
+      if (share <= 1.0) break;
       share = um_uncertainty_growth_judge(g);
       room -= batch;
     }
