@@ -1,5 +1,7 @@
 /* What is computed with geometry tables and heat used again is what a run of its own gives.
  */
+#include "evidence/sensitivity/candidates.h"
+#include "evidence/sensitivity/forward_impl.h"
 #include "model/scenario/scenario_read.h"
 #include "tests/evidence/sensitivity/forward_test.h"
 
@@ -123,6 +125,77 @@ static void test_run(void **state)
   assert_int_equal(run.variant.tables->nobs, 181); /* 12 minutes, every 4 s */
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_run_release(context, &run);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* fresh_values with as many paths between surfaces. */
+static void assert_fresh(const struct um_model_options *options,
+                         const struct um_sensitivity_forward *f, int paths,
+                         const struct um_model_addition *addition, size_t n, const double *value)
+{
+  struct um_sensitivity_forward other = *f;
+  double expected[24];
+  other.paths = paths;
+  assert_ok(fresh_values(options, &other, addition, n, expected));
+  assert_memory_equal(value, expected, sizeof expected);
+}
+
+/* Of the zero point the signature is the light itself: that of few paths. */
+static void assert_signature(struct um_sensitivity_forward *f, const double *few)
+{
+  static const char *const only[] = {"zero_point:vis"};
+  const struct um_sensitivity_candidates_options options = {.only = only, .nonly = 1};
+  struct um_sensitivity_candidates *all;
+  assert_ok(um_sensitivity_candidates_create(context, f, NULL, 0, &options, &all));
+  assert_int_equal(all->count, 1);
+  const double *column = all->candidate[0].signature;
+  for (size_t j = 0; j < f->observations.count; j++)
+    if (f->observations.channel[j] == f->observations.channel[1])
+      assert_close(column[j] / few[j], column[1] / few[1], 1e-6 * fabs(column[1] / few[1]));
+  um_sensitivity_candidates_destroy(context, &all);
+}
+
+/* Light by few paths is that of a scenario with as many, and goes again. */
+static void test_few_paths(void **state)
+{
+  (void)state;
+  static const char *const set[] = {"thermal.start=isothermal", "thermal.orbits_before=0.1",
+                                    "optics.interreflection_samples=1"};
+  const struct um_model_options options = {.overrides = set, .noverride = 3};
+  struct um_model_addition a = addition_of("diffuse_level", "grey_metal", 1.2);
+  double many[24], few[24], value[24];
+  put_world("");
+  FILE *file = fopen("m.csv", "w");
+  assert_non_null(file);
+  fputs(HEAD, file);
+  for (int k = 0; k < 12; k++)
+    fprintf(file,
+            DAY "%02d:%02dZ,band_irradiance,lwir,3e-12,3e-15\n" DAY
+                "%02d:%02dZ,magnitude_ab,vis,9,0.001\n",
+            9 + k / 2, 30 * (k % 2), 9 + k / 2, 30 * (k % 2));
+  assert_int_equal(fclose(file), 0);
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  assert_int_equal(f->observations.count, 24);
+  assert_int_equal(f->paths_before, 1);
+  assert_true(f->paths > 1);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, many));
+  assert_fresh(&options, f, f->paths, NULL, 0, many);
+  assert_ok(um_sensitivity_forward_few(context, f, true));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, few));
+  assert_memory_not_equal(few, many, sizeof few);
+  assert_fresh(&options, f, 1, NULL, 0, few);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
+  assert_fresh(&options, f, 1, &a, 1, value);
+  assert_ok(um_sensitivity_forward_few(context, f, false));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
+  assert_memory_equal(value, many, sizeof value);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
+  assert_fresh(&options, f, f->paths, &a, 1, value);
+  assert_signature(f, few);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, few));
+  assert_memory_equal(few, value, sizeof few); /* many again */
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);
 }
@@ -265,6 +338,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_same_bits, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_periodic, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_few_paths, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_edited_meanwhile, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_rows, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_noise, model_set_up, model_tear_down),
