@@ -18,6 +18,8 @@
 #define OUT      "out/bench/diagnosis"
 #define RUNS     30.0 /* forward runs that 60 candidates may take */
 #define ASKED    60.0
+#define WHOLE    10.0   /* forward runs that all candidates and the verdict may take */
+#define MEMORY   1000.0 /* of the largest process [MB] */
 
 static double children(void)
 {
@@ -44,6 +46,13 @@ static double spend(char *const arguments[])
     exit(1);
   }
   return children() - before;
+}
+
+/* Largest memory of a process so far [MB]. */
+static double memory(void)
+{
+  struct rusage usage;
+  return getrusage(RUSAGE_CHILDREN, &usage) == 0 ? 1.024e-3 * (double)usage.ru_maxrss : (double)NAN;
 }
 
 /* The number under a key of diagnosis.json, `"candidates": ` 119. */
@@ -92,6 +101,8 @@ int main(int argc, char **argv)
   bench_number(&bench, "candidates, effect x target", "1", count, NAN, NAN);
   bench_number(&bench, "a diagnosis over all of them, in 30 forward runs", "s", all, RUNS * one,
                1.0);
+  bench_number(&bench, "the same in 10 forward runs", "s", all, WHOLE * one, 1.0);
+  bench_number(&bench, "memory of its largest process", "MB", memory(), MEMORY, 1.0);
   bench_number(&bench, "its share for 60 candidates, in 30 forward runs", "s", all * ASKED / count,
                RUNS * one, 1.0);
   bench_number(&bench, "heat integrations of variants", "1", number("\"heat_integrations\": "), NAN,

@@ -122,7 +122,7 @@ static void only_what_changes_is_computed(void **state)
   changes = effect(&c, "band_emissivity", "grey_white", 0.9); /* of the light, but not behind it */
   look(&changes, LOOSE, false, false, other);
   assert_true(other[1] < nominal[1]);
-  changes = effect(&c, "heater", "box", 0.0); /* of temperatures alone, and moves none */
+  changes = effect(&c, "internal_power", "box", 0.0); /* of temperatures, and moves none */
   look(&changes, LOOSE, false, false, other);
   assert_memory_equal(other, nominal, sizeof other);
   changes = key(&c, "parts.box.interior.power_W", 50.0);

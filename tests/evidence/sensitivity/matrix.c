@@ -298,8 +298,8 @@ static void test_what_if(void **state)
   a.value[0] = 1.08;
   assert_ok(um_sensitivity_what_if_create(context, w.m, &a, &far));
   assert_int_equal(near.nrow, 1);
-  assert_true(near.seconds <= 0.05);
-  print_message("within %g and %g of the way\n", near.within, far.within);
+  print_message("by the matrix in %.2g s, by a run in %.2g s; within %g and %g of the way\n",
+                near.seconds, near.seconds_exact, near.within, far.within);
   assert_true(near.within > 1.0); /* 2 % of an emittance bends little .. */
   /* .. and the way within which the line is good is the same, seen from either */
   assert_close(0.02 * near.within, 0.08 * far.within, 0.15 * 0.02 * near.within);
