@@ -1,6 +1,7 @@
-/* Heat, and light by it, of first steps, many in one run. What moves the network alone is moved by
- * a thousandth of the step, which keeps curvature out; what moves the loads, which are kept to 24
- * bits, by the step itself, in which they are linear. */
+/* Heat, and light by it, of first steps, as many in one run as have room with geometries of their
+ * own. What moves the network alone is moved by a thousandth of the step, which keeps curvature
+ * out; what moves the loads, which are kept to 24 bits, by the step itself, in which they are
+ * linear. */
 #include "evidence/sensitivity/moves_impl.h"
 
 #include <math.h>
@@ -194,7 +195,8 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *batch.variant, &batch.variant));
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(take(context, forward, &move[i], &batch));
-    if (batch.count == batch.most) UM_CHECK(batch_end(context, forward, &batch));
+    if (batch.count == batch.most || um_variant_evaluator_is_full(forward->evaluator))
+      UM_CHECK(batch_end(context, forward, &batch));
   }
   UM_CHECK(batch_end(context, forward, &batch));
 done:
