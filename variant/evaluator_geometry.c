@@ -21,6 +21,7 @@ enum um_status um_variant_paths(struct um_context *context, struct um_variant_ev
                                 int paths)
 {
   struct um_model_tables *base = um_variant_base_tables(context, evaluator);
+  if (base->sampling.paths == paths && base->photons != NULL) return UM_OK;
   base->sampling.paths = paths;
   for (struct um_variant_kept *kept = evaluator->cache.first; kept != NULL; kept = kept->next)
     kept->tables->sampling.paths = paths;

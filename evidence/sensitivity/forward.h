@@ -78,8 +78,9 @@ struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_f
 /* The same with everything kept: model, geometry tables and result of the variant, for a
  * comparison or for bands and places that were not measured. grid: false: times of the
  * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
- * measurements). Owned by the caller, released by _release. Tolerances are the scenario's times
- * tolerance_factor. */
+ * measurements), by as few paths between surfaces as the scenario has: few measurements may want
+ * hundreds, which a window of many instants has no use for. Owned by the caller, released by
+ * _release. Tolerances are the scenario's times tolerance_factor. */
 struct um_sensitivity_forward_run {
   struct um_variant variant;
   struct um_model_result *result;

@@ -11,7 +11,8 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
   enum um_status status;
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
-  const struct um_model_instants window = {.sampling = forward->instants.sampling};
+  const struct um_model_instants window = {
+      .sampling = {forward->instants.sampling.samples, forward->paths_before}};
   struct um_variant *v = &out->variant;
   *out = (struct um_sensitivity_forward_run){.result = NULL};
   um_core_quiet_begin(context);

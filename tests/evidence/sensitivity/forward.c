@@ -156,6 +156,46 @@ static void assert_signature(struct um_sensitivity_forward *f, const double *few
   um_sensitivity_candidates_destroy(context, &all);
 }
 
+/* A change in two parts: held, temperatures are the scenario's; of heat alone, those of the whole.
+ */
+static void test_parts(void **state)
+{
+  (void)state;
+  static const char *const isothermal[] = {"thermal.start=isothermal", "thermal.orbits_before=0.1"};
+  const struct um_model_options options = {.overrides = isothermal, .noverride = 2};
+  struct um_model_addition a = addition_of("solar_absorptance", "grey_white", 0.1);
+  double base[48], whole[48], held[48], heat[48];
+  size_t warmer = 0, brighter = 0;
+  bool apart;
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, whole));
+  assert_ok(
+      um_sensitivity_forward_evaluate_part(context, f, &a, UM_SENSITIVITY_HELD, &apart, held));
+  assert_true(apart);
+  assert_ok(
+      um_sensitivity_forward_evaluate_part(context, f, &a, UM_SENSITIVITY_HEAT, &apart, heat));
+  assert_true(apart);
+  for (size_t j = 0; j < 48; j++) {
+    const struct um_compare_channel *c = &m->channel[f->observations.channel[j]];
+    if (c->quantity == UM_QUANTITY_TEMPERATURE) {
+      assert_true(held[j] == base[j]);
+      assert_true(heat[j] == whole[j]);
+      warmer += whole[j] > base[j]; /* where it is grey_white */
+    } else if (strcmp(c->of, "vis") == 0) {
+      assert_true(heat[j] == base[j]); /* nothing glows in it */
+    } else {
+      assert_true(heat[j] >= base[j]);
+      brighter += heat[j] > base[j];
+    }
+  }
+  assert_true(warmer > 0 && brighter > 0);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* Light by few paths is that of a scenario with as many, and goes again. */
 static void test_few_paths(void **state)
 {
@@ -193,6 +233,11 @@ static void test_few_paths(void **state)
   assert_memory_equal(value, many, sizeof value);
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
   assert_fresh(&options, f, f->paths, &a, 1, value);
+  struct um_sensitivity_forward_run run;
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
+  assert_int_equal(run.variant.tables->sampling.paths, 1); /* the window wants no more */
+  assert_int_equal(run.variant.tables->sampling.samples, f->samples);
+  um_sensitivity_forward_run_release(context, &run);
   assert_signature(f, few);
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, few));
   assert_memory_equal(few, value, sizeof few); /* many again */
@@ -338,6 +383,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_same_bits, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_periodic, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_parts, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_few_paths, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_edited_meanwhile, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_rows, model_set_up, model_tear_down),
