@@ -130,8 +130,8 @@ enum um_status um_variant_heat_again(struct um_context *context,
                                      const struct um_variant_heat *heat,
                                      struct um_variant *variant);
 /* Light and temperatures of an open variant with heat (um_model_run_observed). Light of the
- * scenario as it stands is computed once, and serves variants that change nothing before it is on
- * its way. The caller destroys *out. */
+ * scenario as it stands is computed once, and serves variants of its geometry and temperatures that
+ * are `light_alike`. The caller destroys *out. */
 enum um_status um_variant_observe(struct um_context *context,
                                   struct um_variant_evaluator *evaluator,
                                   const struct um_variant *variant, struct um_model_result **out);

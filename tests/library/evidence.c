@@ -3,31 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "library/umbra.h"
-#include "tests/app/command.h"
 #include "tests/app/table.h"
+#include "tests/library/session_test.h"
 
 #define BOX "box.yaml", "--set", "time.step_s=6", "--set", "time.start_utc=2016-09-06T18:08:00Z"
 
-static struct umbra *umbra;
 static struct umbra_scenario *scenario;
 static struct umbra_measurements *measured;
-
-#define ok(call)                                                                                   \
-  do {                                                                                             \
-    if ((call) != UMBRA_OK) fail_msg("%s: %s", #call, umbra_message(umbra));                       \
-  } while (0)
-#define refused(call, expected, words)                                                             \
-  do {                                                                                             \
-    assert_int_equal(call, expected);                                                              \
-    if (strstr(umbra_message(umbra), words) == NULL)                                               \
-      fail_msg("'%s' does not say '%s'", umbra_message(umbra), words);                             \
-  } while (0)
 
 /* A box whose emittance is 0.8 of what its scenario says. */
 static int enter(void **state)
 {
-  if (command_enter(state) != 0 || umbra_open(NULL, &umbra) != UMBRA_OK) return -1;
+  if (session_enter(state) != 0) return -1;
   command_copy_data("box.yaml");
   command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--temperatures", "bus", "--seed", "5",
                  "-o", "m.csv", "--with", "emittance:grey_white,emittance_factor=0.8", NULL);
@@ -42,8 +29,7 @@ static int leave(void **state)
 {
   umbra_measurements_close(&measured);
   umbra_scenario_close(&scenario);
-  umbra_close(&umbra);
-  return command_leave(state);
+  return session_leave(state);
 }
 
 static void write_as(const struct umbra_result *result, const char *command)

@@ -13,7 +13,7 @@ static void test_sphere_as_the_command(void **state)
   (void)state;
   struct umbra_scenario *scenario;
   ok(umbra_scenario_read(umbra, sphere, NULL, &scenario));
-  struct umbra_result *result = run(scenario);
+  struct umbra_result *result = session_run(scenario);
   ok(umbra_result_write(umbra, result, "ours", NULL));
   command_expect(0, "run", sphere, "--no-plots", "--out", "theirs", NULL);
   command_expect_same("ours", "theirs", tables);
@@ -35,9 +35,9 @@ static void test_log_of_a_run(void **state)
 {
   (void)state;
   struct umbra_scenario *scenario;
-  struct umbra_result *box = run_box();
+  struct umbra_result *box = session_run_box();
   ok(umbra_scenario_read(umbra, sphere, NULL, &scenario));
-  struct umbra_result *ball = run(scenario);
+  struct umbra_result *ball = session_run(scenario);
   ok(umbra_result_write(umbra, box, "box", NULL));
   ok(umbra_result_write(umbra, ball, "ball", NULL));
   assert_int_equal(lines_with("box/log.txt", "Earth orientation not given"), 1);
@@ -75,7 +75,7 @@ static void test_changes_as_the_command(void **state)
   albedo.effect = "albedo";
   albedo.off = 1;
   ok(umbra_scenario_effect(umbra, scenario, &albedo));
-  struct umbra_result *result = run(scenario);
+  struct umbra_result *result = session_run(scenario);
   ok(umbra_result_write(umbra, result, "ours", NULL));
   command_expect(0, "run", "box.yaml", "--no-plots", "--out", "theirs", "--set",
                  "parts.bus.shell.areal_heat_capacity_J_m2_K=428.57142857142856", "--set",
@@ -107,7 +107,7 @@ static void test_arrays(void **state)
   } pairs[] = {{"irradiance", "vis_irradiance_W_m2", 0},  {"intensity", "lwir_intensity_W_sr", 1},
                {"intensity_error", "vis_stderr_W_sr", 0}, {"magnitude_ab", "vis_mag_ab", 0},
                {"magnitude_vega", "vis_mag_vega", 0},     {"sunlit", "sunlit_fraction", 0}};
-  struct umbra_result *result = run_box();
+  struct umbra_result *result = session_run_box();
   ok(umbra_result_write(umbra, result, "out", NULL));
   char *light = command_read("out/lightcurve.csv"), *heat = command_read("out/temperatures.csv");
   const struct umbra_array *time = umbra_result_array(result, "time_unix_s");
@@ -146,7 +146,7 @@ static void test_arrays(void **state)
 static void test_arrays_by_number(void **state)
 {
   (void)state;
-  struct umbra_result *result = run_box();
+  struct umbra_result *result = session_run_box();
   size_t n = 0;
   for (const struct umbra_array *a; (a = umbra_result_array_at(result, n)) != NULL; n++) {
     assert_ptr_equal(umbra_result_array(result, a->name), a);
@@ -215,7 +215,7 @@ static void test_errors(void **state)
   refused(umbra_scenario_set_number(umbra, scenario, "time.step_s", (double)NAN), UMBRA_ERR_INPUT,
           "finite");
   ok(umbra_scenario_set(umbra, scenario, "time.step_s", "120")); /* none of them stayed */
-  struct umbra_result *result = run(scenario);
+  struct umbra_result *result = session_run(scenario);
   assert_int_equal(umbra_result_array(result, "time_unix_s")->shape[0], 3);
   assert_string_equal(umbra_message(umbra), "");
   command_write("file", "not a folder of Umbra");
@@ -267,14 +267,14 @@ static void test_errors_of_effects(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(test_sphere_as_the_command, enter, leave),
-      cmocka_unit_test_setup_teardown(test_log_of_a_run, enter, leave),
-      cmocka_unit_test_setup_teardown(test_changes_as_the_command, enter, leave),
-      cmocka_unit_test_setup_teardown(test_arrays, enter, leave),
-      cmocka_unit_test_setup_teardown(test_arrays_by_number, enter, leave),
-      cmocka_unit_test_setup_teardown(test_names, enter, leave),
-      cmocka_unit_test_setup_teardown(test_errors, enter, leave),
-      cmocka_unit_test_setup_teardown(test_errors_of_effects, enter, leave),
+      cmocka_unit_test_setup_teardown(test_sphere_as_the_command, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_log_of_a_run, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_changes_as_the_command, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_arrays, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_arrays_by_number, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_names, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_errors, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_errors_of_effects, session_enter, session_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

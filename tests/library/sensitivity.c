@@ -4,20 +4,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "library/umbra.h"
-#include "tests/app/command.h"
+#include "tests/library/session_test.h"
 
-static struct umbra *umbra;
 static struct umbra_scenario *scenario;
-
-#define ok(call)                                                                                   \
-  do {                                                                                             \
-    if ((call) != UMBRA_OK) fail_msg("%s: %s", #call, umbra_message(umbra));                       \
-  } while (0)
 
 static int enter(void **state)
 {
-  if (command_enter(state) != 0 || umbra_open(NULL, &umbra) != UMBRA_OK) return -1;
+  if (session_enter(state) != 0) return -1;
   command_copy_data("box.yaml");
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
   ok(umbra_scenario_set(umbra, scenario, "time.step_s", "30"));
@@ -27,8 +20,7 @@ static int enter(void **state)
 static int leave(void **state)
 {
   umbra_scenario_close(&scenario);
-  umbra_close(&umbra);
-  return command_leave(state);
+  return session_leave(state);
 }
 
 static const double *row_of(const struct umbra_array *a, size_t row)

@@ -39,7 +39,7 @@ static void test_callbacks(void **state)
   settings.progress = hear_progress;
   umbra_close(&umbra);
   assert_int_equal(umbra_open(&settings, &umbra), UMBRA_OK);
-  struct umbra_result *result = run_box();
+  struct umbra_result *result = session_run_box();
   umbra_result_close(&result);
   assert_true(heard.lines > 3 && heard.steps > 3);
   struct umbra_scenario *scenario;
@@ -99,7 +99,7 @@ static void test_cache_folder(void **state)
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
   ok(umbra_scenario_set_number(umbra, scenario, "parts.bus.inside_emittance", 0.8));
   assert_false(command_exists("kept"));
-  struct umbra_result *first = run(scenario), *second = run(scenario);
+  struct umbra_result *first = session_run(scenario), *second = session_run(scenario);
   assert_true(command_exists("kept"));
   const struct umbra_array *a = umbra_result_array(first, "temperature");
   const struct umbra_array *b = umbra_result_array(second, "temperature");
@@ -142,7 +142,7 @@ static void test_threads(void **state)
 {
   (void)state;
   struct lane lane[4] = {0};
-  struct umbra_result *result = run_box();
+  struct umbra_result *result = session_run_box();
   double expected = 0.0;
   for (size_t i = 0; i < 10; i++) expected += umbra_result_array(result, "intensity")->data[i];
   umbra_result_close(&result);
@@ -229,12 +229,12 @@ static void test_data_folder(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(test_callbacks, enter, leave),
-      cmocka_unit_test_setup_teardown(test_ownership, enter, leave),
-      cmocka_unit_test_setup_teardown(test_cache_folder, enter, leave),
-      cmocka_unit_test_setup_teardown(test_threads, enter, leave),
-      cmocka_unit_test_setup_teardown(test_one_model, enter, leave),
-      cmocka_unit_test_setup_teardown(test_data_folder, enter, leave),
+      cmocka_unit_test_setup_teardown(test_callbacks, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_ownership, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_cache_folder, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_threads, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_one_model, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_data_folder, session_enter, session_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,13 +9,13 @@
 
 static struct umbra *umbra;
 
-static inline int enter(void **state)
+static inline int session_enter(void **state)
 {
   if (command_enter(state) != 0) return -1;
   return umbra_open(NULL, &umbra) == UMBRA_OK ? 0 : -1;
 }
 
-static inline int leave(void **state)
+static inline int session_leave(void **state)
 {
   umbra_close(&umbra);
   return command_leave(state);
@@ -34,7 +34,7 @@ static inline int leave(void **state)
       fail_msg("'%s' does not say '%s'", umbra_message(umbra), words);                             \
   } while (0)
 
-static inline struct umbra_result *run(struct umbra_scenario *scenario)
+static inline struct umbra_result *session_run(struct umbra_scenario *scenario)
 {
   struct umbra_model *model;
   struct umbra_result *result;
@@ -44,12 +44,12 @@ static inline struct umbra_result *run(struct umbra_scenario *scenario)
   return result;
 }
 
-static inline struct umbra_result *run_box(void)
+static inline struct umbra_result *session_run_box(void)
 {
   struct umbra_scenario *scenario;
   command_copy_data("box.yaml");
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
-  struct umbra_result *result = run(scenario);
+  struct umbra_result *result = session_run(scenario);
   umbra_scenario_close(&scenario);
   return result;
 }

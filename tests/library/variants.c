@@ -51,7 +51,7 @@ static void test_variants(void **state)
   umbra_variants_close(&warm);
   ok(umbra_scenario_set_number(umbra, scenario, change[1].key, change[1].number));
   ok(umbra_scenario_effect(umbra, scenario, &emittance));
-  struct umbra_result *own = run(scenario);
+  struct umbra_result *own = session_run(scenario);
   const char *const of[] = {"intensity", "temperature"};
   for (size_t i = 0; i < 2; i++) {
     assert_true(last(a, of[i]) == last(own, of[i]));
@@ -223,10 +223,10 @@ static void test_many_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(test_variants, enter, leave),
-      cmocka_unit_test_setup_teardown(test_variants_refused, enter, leave),
-      cmocka_unit_test_setup_teardown(test_many, enter, leave),
-      cmocka_unit_test_setup_teardown(test_many_refused, enter, leave),
+      cmocka_unit_test_setup_teardown(test_variants, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_variants_refused, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_many, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_many_refused, session_enter, session_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

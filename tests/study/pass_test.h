@@ -93,6 +93,24 @@ static inline void pass_parameters(struct um_study_result *r)
       .kind = UM_UNCERTAINTY_NORMAL, .from = -INFINITY, .to = INFINITY, .mean = 1.0, .sigma = 0.1};
 }
 
+/* A surrogate of the pass in place of the result's; held_out, evaluations 0: the default. */
+static inline void pass_surrogate(struct um_study_result *r, size_t held_out, size_t evaluations)
+{
+  struct um_uncertainty_group group = {
+      .name = "curves", .count = 3 * PASS_NTIME, .relative = 1e-4, .floor = 0.01};
+  struct um_uncertainty_surrogate_request request = {.d = 3,
+                                                     .nvalue = PASS_NVALUE,
+                                                     .ngroup = 1,
+                                                     .group = &group,
+                                                     .evaluate = pass_evaluate,
+                                                     .user = r,
+                                                     .held_out = held_out,
+                                                     .evaluations_max = evaluations};
+  um_uncertainty_surrogate_destroy(context, &r->surrogate);
+  if (um_uncertainty_surrogate_create(context, &request, &r->surrogate) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+}
+
 /* Points of a design, u [npoint][3], which the result takes, each exactly; with a surrogate or
  * without. The caller destroys. */
 static inline struct um_study_result *pass_result(enum um_study_design design, size_t base,
@@ -139,17 +157,7 @@ static inline struct um_study_result *pass_result(enum um_study_design design, s
           um_uncertainty_distribution_value(&r->distribution[k], u[i * 3 + k]);
     pass_values(r->parameter + i * 3, r->value + i * r->nvalue);
   }
-  if (!surrogate) return r;
-  struct um_uncertainty_group group = {
-      .name = "curves", .count = 3 * PASS_NTIME, .relative = 1e-4, .floor = 0.01};
-  struct um_uncertainty_surrogate_request request = {.d = 3,
-                                                     .nvalue = PASS_NVALUE,
-                                                     .ngroup = 1,
-                                                     .group = &group,
-                                                     .evaluate = pass_evaluate,
-                                                     .user = r};
-  if (um_uncertainty_surrogate_create(context, &request, &r->surrogate) != UM_OK)
-    fail_msg("%s", um_core_message(context));
+  if (surrogate) pass_surrogate(r, 0, 0);
   return r;
 }
 

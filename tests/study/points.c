@@ -24,18 +24,6 @@ static void need(enum um_status status)
   if (status != UM_OK) fail_msg("%s", um_core_message(context));
 }
 
-static struct um_study_result *run(const char *text, int workers, bool resume,
-                                   struct um_study **study)
-{
-  struct um_study_result *result = NULL;
-  const struct um_study_run_options options = world_options(workers, resume);
-  world_put(text);
-  need(um_study_create(context, WORLD_STUDY, &options, study));
-  need(um_study_run(context, *study, &result));
-  assert_non_null(result);
-  return result;
-}
-
 static void release(struct um_study **study, struct um_study_result **result)
 {
   um_study_result_destroy(context, result);
@@ -100,8 +88,9 @@ static void test_exact(void **state)
   (void)state;
   struct um_study *study = NULL;
   world_clear(context);
-  struct um_study_result *r = run(
-      PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n", 1, false, &study);
+  struct um_study_result *r =
+      world_run(context, PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n",
+                1, false, &study);
   assert_int_equal(r->npoint, 6);
   assert_int_equal(r->nvalue, 4 * r->ntime);
   assert_true(fabs(r->at_nominal[0] - 0.85) < 1e-9);
@@ -112,8 +101,9 @@ static void test_exact(void **state)
   for (size_t q = 0; q < 4; q++) assert_true(r->error[q] <= (q < 2 ? 1e-3 : 0.1));
   /* a second study takes the points from the records, to the bit */
   struct um_study *again = NULL;
-  struct um_study_result *s = run(
-      PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n", 1, true, &again);
+  struct um_study_result *s =
+      world_run(context, PARAMETERS OUTPUTS "design: {kind: latin_hypercube, points: 6, seed: 3}\n",
+                1, true, &again);
   assert_memory_equal(r->value, s->value, r->npoint * r->nvalue * sizeof(double));
   release(&again, &s);
   release(&study, &r);
@@ -167,9 +157,9 @@ static void test_any_process(void **state)
                              "  - {key: orbit.circular.beta_deg, values: [20, 25]}\n" OUTPUTS
                              "design: {kind: grid, levels: 2}\n";
   world_clear(context);
-  struct um_study_result *one = run(text, 1, false, &a);
+  struct um_study_result *one = world_run(context, text, 1, false, &a);
   world_clear(context);
-  struct um_study_result *two = run(text, 2, false, &b);
+  struct um_study_result *two = world_run(context, text, 2, false, &b);
   assert_int_equal(one->npoint, 4);
   assert_memory_equal(one->value, two->value, one->npoint * one->nvalue * sizeof(double));
   /* beta_deg is the last axis and moves the geometry: its neighbours differ */
@@ -184,9 +174,10 @@ static void test_surrogate(void **state)
   (void)state;
   struct um_study *study = NULL;
   world_clear(context);
-  struct um_study_result *r =
-      run("mode: surrogate\n" PARAMETERS OUTPUTS "design: {kind: sobol, points: 500, seed: 7}\n", 2,
-          false, &study);
+  struct um_study_result *r = world_run(context,
+                                        "mode: surrogate\n" PARAMETERS OUTPUTS
+                                        "design: {kind: sobol, points: 500, seed: 7}\n",
+                                        2, false, &study);
   assert_int_equal(r->npoint, 500);
   assert_true(r->exact < 100);
   double worst = against_own_runs(r, 100);

@@ -32,14 +32,8 @@ static void need(enum um_status status)
 
 static struct um_study_result *run(const char *text, int workers, struct um_study **study)
 {
-  struct um_study_result *result = NULL;
-  const struct um_study_run_options options = world_options(workers, false);
   world_clear(context);
-  world_put(text);
-  need(um_study_create(context, WORLD_STUDY, &options, study));
-  need(um_study_run(context, *study, &result));
-  assert_non_null(result);
-  return result;
+  return world_run(context, text, workers, false, study);
 }
 
 static void release(struct um_study **study, struct um_study_result **result)

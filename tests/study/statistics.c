@@ -51,23 +51,6 @@ static void test_designs(void **state)
   }
 }
 
-/* A surrogate of the pass in place of the result's, of that many evaluations. */
-static void take_surrogate(struct um_study_result *r, size_t evaluations)
-{
-  struct um_uncertainty_group group = {
-      .name = "curves", .count = 3 * PASS_NTIME, .relative = 1e-4, .floor = 0.01};
-  struct um_uncertainty_surrogate_request request = {.d = 3,
-                                                     .nvalue = PASS_NVALUE,
-                                                     .ngroup = 1,
-                                                     .group = &group,
-                                                     .evaluate = pass_evaluate,
-                                                     .user = r,
-                                                     .held_out = 2,
-                                                     .evaluations_max = evaluations};
-  um_uncertainty_surrogate_destroy(context, &r->surrogate);
-  assert_int_equal(um_uncertainty_surrogate_create(context, &request, &r->surrogate), UM_OK);
-}
-
 /* What it leaves unexplained of each value's standard deviation, at the result's own points. */
 static void find_unexplained(struct um_study_result *r)
 {
@@ -101,7 +84,7 @@ static void test_unexplained(void **state)
   assert_int_equal(um_study_statistics_create(context, r, NULL, &tight), UM_OK);
   assert_null(tight->first_error);
   for (size_t evaluations = 9; evaluations <= 18; evaluations++) {
-    take_surrogate(r, evaluations);
+    pass_surrogate(r, 2, evaluations);
     find_unexplained(r);
     assert_int_equal(um_study_statistics_create(context, r, NULL, &l), UM_OK);
     for (size_t i = 0; i < 3 * PASS_NVALUE; i++) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "study/identity.h"
+#include "tests/support/cmocka_all.h"
 
 static const char *const scenario =
     "schema: 1\n"
@@ -54,4 +55,17 @@ struct um_study_run_options world_options(int workers, bool resume)
   return (struct um_study_run_options){
       .version = "test",
       .batch = {.folder = WORLD_RECORDS, .work.workers = workers, .resume = resume}};
+}
+
+struct um_study_result *world_run(struct um_context *context, const char *text, int workers,
+                                  bool resume, struct um_study **study)
+{
+  struct um_study_result *result = NULL;
+  const struct um_study_run_options options = world_options(workers, resume);
+  world_put(text);
+  if (um_study_create(context, WORLD_STUDY, &options, study) != UM_OK ||
+      um_study_run(context, *study, &result) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+  assert_non_null(result);
+  return result;
 }

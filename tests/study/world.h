@@ -13,5 +13,9 @@ void world_put(const char *study);
 /* Removes both and the records. */
 void world_clear(struct um_context *context);
 struct um_study_run_options world_options(int workers, bool resume);
+/* The study of these lines, run; fails the test where it ends with an error. The caller destroys
+ * both. */
+struct um_study_result *world_run(struct um_context *context, const char *text, int workers,
+                                  bool resume, struct um_study **study);
 
 #endif
