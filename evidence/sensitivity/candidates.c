@@ -263,9 +263,12 @@ static enum um_status make_signatures(struct um_context *context,
   struct um_sensitivity_forward *f = point->forward;
   double *few = NULL;
   UM_CHECK(um_sensitivity_forward_few(context, f, !point->derivatives));
-  UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *few, &few));
-  UM_CHECK(um_sensitivity_forward_evaluate(context, f, point->addition, point->naddition, few));
-  point->base = few;
+  point->base = list->base;
+  if (f->cache->few != NULL) {
+    UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *few, &few));
+    UM_CHECK(um_sensitivity_forward_evaluate(context, f, point->addition, point->naddition, few));
+    point->base = few;
+  }
   UM_CHECK(um_sensitivity_forward_noise(context, f, &point->noise));
   UM_CHECK(um_sensitivity_signatures_create(context, point, list->candidate, list->count));
   UM_CHECK(um_sensitivity_forward_few(context, f, false));

@@ -195,8 +195,8 @@ static enum um_status make_groups(struct um_context *context, struct work *work,
   work->ntask = 0;
   for (size_t i = 0; i < count; i++) {
     size_t own;
-    UM_TRY(um_core_stop_check(context, "signatures of effects were computed"));
     UM_TRY(count_wanted(context, work->point, &work->candidate[i], &own));
+    UM_TRY(um_core_progress_step(context, 1));
     if (own == 0) continue;
     if (work->ntask == 0 || moves + own > HEAT_MOVES) {
       work->task[work->ntask++] = (struct task){.first = n};
@@ -257,7 +257,12 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, count, sizeof *work.is_done, &work.is_done));
   for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
-  if (possible) UM_CHECK(make_groups(context, &work, count));
+  if (possible) {
+    um_core_progress_begin(context, "effects that move temperatures", count);
+    status = make_groups(context, &work, count);
+    um_core_progress_end(context);
+    if (status != UM_OK) goto done;
+  }
   um_core_progress_begin(context, "signatures of effects", work.ntask + count);
   status = run_tasks(context, &work);
   if (status == UM_OK) {
