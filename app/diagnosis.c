@@ -23,8 +23,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
   work->changes = um_app_model_options(options);
   UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
   UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes,
-                                       work->measurements, UM_SENSITIVITY_TOLERANCE_FACTOR,
-                                       &work->forward));
+                                       work->measurements, UM_VARIANT_TIGHT, &work->forward));
   UM_TRY(um_diagnosis_request_make(context, work->forward->model, &texts, &work->request));
   UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
   return um_core_folder_begin(context, work->out, options->force, &work->folder);

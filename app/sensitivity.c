@@ -52,9 +52,8 @@ static enum um_status begin(struct um_context *context, const struct um_app_opti
   um_app_terminal_progress_in_pipes(); /* it may take minutes, and its tables come at the end */
   work->changes = um_app_model_options(options);
   UM_TRY(find_set(context, options, work));
-  UM_TRY(um_sensitivity_forward_create_near(context, options->positional[0], &work->changes,
-                                            work->set, UM_SENSITIVITY_MATRIX_TOLERANCE,
-                                            &work->forward));
+  UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes, work->set,
+                                       UM_SENSITIVITY_MATRIX_TOLERANCE, &work->forward));
   UM_TRY(read_what_ifs(context, options, work));
   UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
   return um_core_folder_begin(context, work->out, options->force, &work->folder);

@@ -57,8 +57,7 @@ static enum um_status begin(struct umbra *umbra, const struct umbra_scenario *sc
   UM_TRY(um_library_source_copy(context, &scenario->source, &work->source));
   work->options = um_library_source_options(&work->source, umbra);
   UM_TRY(um_sensitivity_forward_create(context, work->source.path, &work->options,
-                                       measurements->set, UM_SENSITIVITY_TOLERANCE_FACTOR,
-                                       &work->forward));
+                                       measurements->set, UM_VARIANT_TIGHT, &work->forward));
   return um_diagnosis_request_make(context, work->forward->model, texts, &work->request);
 }
 

@@ -82,9 +82,9 @@ static enum um_status compute(struct umbra *umbra, const struct umbra_scenario *
     s->measurements = um_library_measurements_share(measurements);
   else
     UM_TRY(make_own(context, s));
-  UM_TRY(um_sensitivity_forward_create_near(context, s->source.path, &s->options,
-                                            measurements != NULL ? measurements->set : s->own,
-                                            UM_SENSITIVITY_MATRIX_TOLERANCE, &s->forward));
+  UM_TRY(um_sensitivity_forward_create(context, s->source.path, &s->options,
+                                       measurements != NULL ? measurements->set : s->own,
+                                       UM_SENSITIVITY_MATRIX_TOLERANCE, &s->forward));
   return um_sensitivity_matrix_create(context, s->forward, measurements == NULL, &which,
                                       &s->matrix);
 }

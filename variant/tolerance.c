@@ -7,9 +7,8 @@
 #define SHARE 0.25 /* of the asked error */
 
 const struct um_variant_tolerance_choice um_variant_tolerance_choices[UM_VARIANT_CHOICES] = {
-    {{12.0, 0.05}, {1.3e-4, 0.0, 0.045}},
-    {{UM_VARIANT_FACTOR, 0.02}, {7e-5, 0.0, 0.020}},
-    {{3.0, UM_MODEL_PERIODIC_TOLERANCE}, {3.3e-5, 0.0, 0.0063}},
+    {{3.0, 0.05}, {1.3e-4, 0.0, 0.045}},
+    {{1.0, 0.02}, {7e-5, 0.0, 0.020}},
     {{1.0, UM_MODEL_PERIODIC_TOLERANCE}, {3.3e-5, 0.0, 0.0036}}};
 
 struct um_variant_tolerance um_variant_tolerance_asked(const struct um_variant_error *asked,

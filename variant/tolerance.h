@@ -23,10 +23,5 @@ struct um_variant_error {
  * scenario is another. stated: what they leave of that pass, or NULL. */
 struct um_variant_tolerance um_variant_tolerance_asked(const struct um_variant_error *asked,
                                                        struct um_variant_error *stated);
-/* Factor where variants are differenced, so that all of them need the same. ENVISAT's pass, with
- * observations of 1 %: a variant takes 10.3, 10.0 and 8.6 s of one processor with 3, 6 and 12, and
- * repeats to 0.0025, 0.0017 and 0.0032 sigma. Steps of differences are made for that noise. To
- * measure the factor would cost four variants, what 12 saves of the 28 that a diagnosis solved. */
-#define UM_VARIANT_FACTOR 6.0
 
 #endif

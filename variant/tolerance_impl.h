@@ -4,7 +4,7 @@
 
 #include "variant/tolerance.h"
 
-#define UM_VARIANT_CHOICES 4
+#define UM_VARIANT_CHOICES 3
 struct um_variant_tolerance_choice {
   struct um_variant_tolerance tolerance;
   struct um_variant_error leaves; /* of ENVISAT's pass */

@@ -335,17 +335,8 @@ done:
 enum um_status um_sensitivity_forward_create(struct um_context *context, const char *path,
                                              const struct um_model_options *options,
                                              const struct um_compare_measurements *measurements,
-                                             double tolerance_factor,
+                                             struct um_variant_tolerance tolerance,
                                              struct um_sensitivity_forward **out)
-{
-  const struct um_variant_tolerance tolerance = {tolerance_factor, UM_MODEL_PERIODIC_TOLERANCE};
-  return um_sensitivity_forward_create_near(context, path, options, measurements, tolerance, out);
-}
-
-enum um_status um_sensitivity_forward_create_near(
-    struct um_context *context, const char *path, const struct um_model_options *options,
-    const struct um_compare_measurements *measurements, struct um_variant_tolerance tolerance,
-    struct um_sensitivity_forward **out)
 {
   enum um_status status;
   struct um_sensitivity_forward *f = NULL;

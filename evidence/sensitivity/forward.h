@@ -31,25 +31,19 @@ struct um_sensitivity_forward {
   struct um_sensitivity_forward_cache *cache; /* private */
 };
 
-#define UM_SENSITIVITY_TOLERANCE_FACTOR UM_VARIANT_FACTOR
 /* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
  * compare does (um_compare_refine), for every variant (plan->sampling): all look at the body with
  * the same points, and differences between them are smooth. forward->samples says what was used.
- * options: the user's --set, --with, --without; borrowed. tolerance_factor: factor on the
- * tolerances of the heat integration for every evaluation (1: as the scenario has them; derivatives
- * by differences want the same for all). UM_ERR_INPUT naming file and line: what
+ * options: the user's --set, --with, --without; borrowed. tolerance: of the heat
+ * of every evaluation, UM_VARIANT_TIGHT for that of a run; derivatives by differences want the same
+ * for all. UM_ERR_INPUT naming file and line: what
  * um_compare_plan_create refuses, and an observation in use without sigma that the scenario's noise
  * model does not fill. The caller destroys. */
 enum um_status um_sensitivity_forward_create(struct um_context *context, const char *path,
                                              const struct um_model_options *options,
                                              const struct um_compare_measurements *measurements,
-                                             double tolerance_factor,
+                                             struct um_variant_tolerance tolerance,
                                              struct um_sensitivity_forward **out);
-/* The same with a tolerance of the periodic state, too. */
-enum um_status um_sensitivity_forward_create_near(
-    struct um_context *context, const char *path, const struct um_model_options *options,
-    const struct um_compare_measurements *measurements, struct um_variant_tolerance tolerance,
-    struct um_sensitivity_forward **out);
 void um_sensitivity_forward_destroy(struct um_context *context,
                                     struct um_sensitivity_forward **forward);
 
@@ -80,7 +74,7 @@ struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_f
  * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
  * measurements), by as few paths between surfaces as the scenario has: few measurements may want
  * hundreds, which a window of many instants has no use for. Owned by the caller, released by
- * _release. Tolerances are the scenario's times tolerance_factor. */
+ * _release. Tolerances are those of the forward. */
 struct um_sensitivity_forward_run {
   struct um_variant variant;
   struct um_model_result *result;

@@ -3,10 +3,13 @@
  * between grid times: a shadow without penumbra, which is a jump, has one on either side of its
  * edge.
  *
- * Sparse loads leave out two kinds of rows. Observed instants are none. Rows that are long past
- * when the observations begin stand SPARSE times further apart: of a body that turns they still
- * have the right mean over its turns, where trapezoids of what is periodic have no error but that
- * of its harmonics beyond their number, and what the surfaces missed within a turn they forget. */
+ * Rows that are long past when the observations begin stand SPARSE times further apart, unless
+ * thermal.step_s says how far: of a body that turns they still have the right mean over its turns,
+ * where trapezoids of what is periodic have no error but that of its harmonics beyond their number,
+ * and what the surfaces missed within a turn they forget. Observed instants that stand closer than
+ * rows need to are the only rows there. docs/physics.md, C.6, has what both leave.
+ *
+ * Of sparse loads observed instants are no rows. */
 #include "model/geometry/load_grid_impl.h"
 
 #include <math.h>
@@ -22,12 +25,13 @@
 #define PENUMBRA_LONGEST 120  /* events further apart than this are not one edge [s] */
 #define SAME_TIME        1e-3 /* grid times nearer than this are one [s] */
 #define JUMP_SIDE        1e-4 /* from a shadow's edge without penumbra to its sides [s] */
-#define SPARSE           4.0
+#define SPARSE           3.0
 #define RECENT           300.0 /* before the first observation, where rows stand as ever [s] */
 
 struct grid_time {
   double t;
   bool wanted; /* observed instant, or a side of a jump: never displaced */
+  bool laid;   /* stands there for the turn of the body alone */
 };
 
 static int compare_times(const void *a, const void *b)
@@ -59,7 +63,22 @@ static struct grid_time event_time(const struct um_model *model,
     else if (event->kind == UM_EVENT_UMBRA_ENTRY || event->kind == UM_EVENT_PENUMBRA_EXIT)
       side = JUMP_SIDE;
   }
-  return (struct grid_time){event->t_tai + side, side != 0.0};
+  return (struct grid_time){.t = event->t_tai + side, .wanted = side != 0.0};
+}
+
+/* Without rows laid between two wanted ones that are `step` apart or less. */
+static size_t drop_needless(double step, struct grid_time *grid, size_t n)
+{
+  size_t kept = 0;
+  double before = -INFINITY; /* last wanted time */
+  for (size_t i = 0, next = 0; i < n; i++) {
+    while (next < n && (next < i || !grid[next].wanted)) next++;
+    double after = next < n ? grid[next].t : INFINITY;
+    bool needed = !grid[i].laid || after - before > step;
+    if (grid[i].wanted) before = grid[i].t;
+    if (needed) grid[kept++] = grid[i];
+  }
+  return kept;
 }
 
 /* Times strictly ascending; a wanted one displaces a neighbour that is not. */
@@ -114,7 +133,7 @@ static size_t lay(double from, double to, double end, double step, struct grid_t
   size_t nstep = (size_t)ceil((to - from) / step);
   for (size_t i = 0; i <= nstep; i++) {
     double t = nstep == 0 ? end : from + (to - from) * (double)i / (double)nstep;
-    if (t < end + SAME_TIME) grid[n++].t = t;
+    if (t < end + SAME_TIME) grid[n++] = (struct grid_time){.t = t, .laid = true};
   }
   return n;
 }
@@ -134,7 +153,8 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
   struct grid_time *grid = NULL;
   UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
   double recent = tables->t_start;
-  if (tables->sparse && tables->t_first - RECENT > recent) {
+  bool few = isnan(model->scenario->thermal->step_s) && !(tables->spin_period > 0.0);
+  if (few && tables->t_first - RECENT > recent) {
     recent = tables->t_first - RECENT;
     n = lay(tables->t_start, recent, end, fmin(SPARSE * step, UM_MODEL_LOADS_LONGEST_STEP), grid,
             n);
@@ -142,9 +162,9 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
   n = lay(recent, laid, end, step, grid, n);
   /* observed instants then have a table of theirs */
   bool apart = tables->spin_period > 0.0 || tables->sparse;
-  if (apart) grid[n++] = (struct grid_time){end, true};
+  if (apart) grid[n++] = (struct grid_time){.t = end, .wanted = true};
   for (size_t i = 0; i < ninstant && !apart; i++)
-    grid[n++] = (struct grid_time){tables->sample[i].t_tai, true};
+    grid[n++] = (struct grid_time){.t = tables->sample[i].t_tai, .wanted = true};
   for (size_t i = 0; i < tables->nevent; i++) {
     grid[n++] = event_time(model, &tables->event[i]);
     if (i + 1 == tables->nevent) break;
@@ -156,7 +176,7 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
     n = air_rows(&tables->event[i + 1], gap, end, grid, n);
   }
   enum um_status status = um_core_sort(context, grid, n, sizeof *grid, compare_times);
-  n = merge_times(grid, n);
+  n = merge_times(grid, drop_needless(step, grid, n));
   if (status == UM_OK) status = um_core_allocate(context, n, sizeof **out, out);
   for (size_t i = 0; status == UM_OK && i < n; i++) (*out)[i] = grid[i].t;
   um_core_free(context, grid);

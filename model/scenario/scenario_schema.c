@@ -43,7 +43,7 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("of a body that turns. averaged: means over each turn, and the swing of temperatures "
            "within it added; resolved: every 4.6 deg of turn; automatic: averaged where that "
            "leaves less than accuracy_K, a turn takes 10 s or less and step_s is not stated")),
-    F(accuracy_K, UM_SCHEMA_NUMBER, DEFAULT(0.01), BETWEEN(1e-6, 10),
+    F(accuracy_K, UM_SCHEMA_NUMBER, DEFAULT(0.1), BETWEEN(1e-6, 10),
       HELP("what integration in time may leave in the temperature of a facet over an orbit or two, "
            "after many up to twice that; makes both tolerances")),
     F(relative_tolerance, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(1e-12, 1e-2),

@@ -18,7 +18,7 @@
 #define PASSES   21 /* of three days over Graz */
 
 /* As the points of a study. */
-static const struct um_variant_heat how = {.start = UM_VARIANT_WARM, .tolerance = {12.0, 0.05}};
+static const struct um_variant_heat how = {.start = UM_VARIANT_WARM, .tolerance = {3.0, 0.05}};
 
 struct cost {
   const char *name;
@@ -70,7 +70,7 @@ static double pass(const struct bench *bench, const struct um_model *model, int 
   static const struct um_model_instants window = {.sparse = true};
   const struct um_scenario_time *time = model->scenario->time;
   const struct um_model_instants instant = {.time = &time->start, .count = 1, .sparse = true};
-  const struct um_variant_settings settings = {.instants = &instant, .base = {6.0, 0.02}};
+  const struct um_variant_settings settings = {.instants = &instant, .base = {1.0, 0.02}};
   const double later = DAY + 100.0 * run;
   const struct um_document_change key[] = {{.key = "time.start_utc", .number = time->start + later},
                                            {.key = "time.stop_utc", .number = time->stop + later}};

@@ -228,7 +228,7 @@ static void check_switch(const struct um_effect *effect, const struct entry *ent
   const char *const without[] = {effect->name};
   const struct um_model_options options = {
       .overrides = overrides, .noverride = n + 2, .without = without, .nwithout = 1};
-  struct um_sensitivity_forward *f = forward_of(&options, with->measurements, 1.0);
+  struct um_sensitivity_forward *f = forward_of(&options, with->measurements);
   struct um_model_addition a = away(effect, entry, 0.0);
   double off[ROWS], on[ROWS];
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, off));
@@ -263,7 +263,7 @@ static struct um_sensitivity_forward *world_with(const struct um_model_options *
                                                  const struct um_compare_measurements *m,
                                                  double *base)
 {
-  struct um_sensitivity_forward *f = forward_of(options, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(options, m);
   assert_int_equal(f->observations.count, ROWS);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, base));
   return f;

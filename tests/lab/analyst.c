@@ -18,8 +18,7 @@ enum um_status lab_desk_create(struct um_context *context, const struct lab_worl
   UM_CHECK(lab_truth_create(context, &own, true, folder, &plain));
   UM_CHECK(lab_truth_measure(context, &plain, &own, &out->measurements));
   UM_CHECK(um_sensitivity_forward_create(context, out->path, &out->analyst.options,
-                                         out->measurements, UM_SENSITIVITY_TOLERANCE_FACTOR,
-                                         &out->forward));
+                                         out->measurements, UM_VARIANT_TIGHT, &out->forward));
   UM_CHECK(um_sensitivity_candidates_create(context, out->forward, NULL, 0,
                                             &(struct um_sensitivity_candidates_options){0},
                                             &out->candidates));

@@ -121,7 +121,7 @@ static enum um_status diagnose(struct um_context *context, const struct lab_desk
   struct um_diagnosis *d = NULL;
   UM_CHECK(lab_truth_measure(context, truth, c, &measurements));
   UM_CHECK(um_sensitivity_forward_create(context, desk->path, &desk->analyst.options, measurements,
-                                         UM_SENSITIVITY_TOLERANCE_FACTOR, &forward));
+                                         UM_VARIANT_TIGHT, &forward));
   UM_CHECK(um_diagnosis_request_make(
       context, forward->model,
       &(struct um_diagnosis_request_texts){.nuisance = &c->world->nuisance,

@@ -72,7 +72,7 @@ static bool ask(struct um_context *context, const struct question *q, const char
   UM_CHECK(lab_truth_create(context, &c, q->plain, folder, &truth));
   UM_CHECK(lab_truth_measure(context, &truth, &c, &measurements));
   UM_CHECK(um_sensitivity_forward_create(context, path, &analyst.options, measurements,
-                                         UM_SENSITIVITY_TOLERANCE_FACTOR, &forward));
+                                         UM_VARIANT_TIGHT, &forward));
   UM_CHECK(um_diagnosis_request_make(
       context, forward->model,
       &(struct um_diagnosis_request_texts){.nuisance = q->nuisance, .nnuisance = q->nnuisance},

@@ -73,7 +73,7 @@ static enum um_status diagnose(struct um_diagnosis_options *options, struct case
   *c = (struct case_of){.m = measured()};
   options->candidates.only = few;
   options->candidates.nonly = FEW;
-  c->forward = forward_of(NULL, c->m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  c->forward = forward_of(NULL, c->m);
   assert_ok(um_sensitivity_candidates_create(context, c->forward, NULL, 0, &options->candidates,
                                              &c->candidates));
   return um_diagnosis_create(context, c->forward, c->candidates, options, &c->d);

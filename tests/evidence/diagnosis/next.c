@@ -34,8 +34,7 @@ static double next_of(const struct um_compare_measurements *m, const char *const
   struct um_sensitivity_forward *forward;
   struct um_sensitivity_candidates *candidates;
   struct um_diagnosis *d;
-  OK(um_sensitivity_forward_create(context, path, NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR,
-                                   &forward));
+  OK(um_sensitivity_forward_create(context, path, NULL, m, UM_VARIANT_TIGHT, &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
   OK(um_diagnosis_create(context, forward, candidates, &options, &d));
   assert_int_equal(d->nstep, 1);

@@ -86,7 +86,7 @@ static void own_effect_is_named(void **state)
   double q = -0.2 / measure(path, NULL, NULL, NULL);
   snprintf(with, sizeof with, "pileup:vis,q_m2_W=%.17g", q);
   measure(path, with, &noise, &measured);
-  OK(um_sensitivity_forward_create(context, path, &changes, measured, 1.0, &forward));
+  OK(um_sensitivity_forward_create(context, path, &changes, measured, UM_VARIANT_TIGHT, &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
   OK(um_diagnosis_create(context, forward, candidates, &options, &d));
   print_message("  %s\n", d->summary);

@@ -62,8 +62,8 @@ static inline struct diagnosed diagnose(const struct lists *lists)
       .alternatives = lists->alternatives,
       .no_heat = true};
   measure(lists, &c.measured);
-  OK(um_sensitivity_forward_create(context, path, &c.options, c.measured,
-                                   UM_SENSITIVITY_TOLERANCE_FACTOR, &c.forward));
+  OK(um_sensitivity_forward_create(context, path, &c.options, c.measured, UM_VARIANT_TIGHT,
+                                   &c.forward));
   for (size_t j = 0; lists->model > 0.0 && j < c.forward->observations.count; j++) {
     c.forward->observations.model_sigma[j] = lists->model * c.forward->observations.stated_sigma[j];
     c.forward->observations.sigma[j] =

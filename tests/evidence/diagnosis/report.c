@@ -127,8 +127,8 @@ static void test_improved(void **state)
   expect_in(text, want, sizeof want / sizeof want[0]);
   um_core_free(context, text);
   struct um_sensitivity_forward *again;
-  assert_ok(
-      um_sensitivity_forward_create(context, "out/improved", NULL, w.measurements, 1.0, &again));
+  assert_ok(um_sensitivity_forward_create(context, "out/improved", NULL, w.measurements,
+                                          UM_VARIANT_TIGHT, &again));
   double *value;
   assert_ok(um_core_allocate(context, again->observations.count, sizeof *value, &value));
   assert_ok(um_sensitivity_forward_evaluate(context, again, NULL, 0, value));

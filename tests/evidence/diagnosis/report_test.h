@@ -152,8 +152,8 @@ static inline void world_make(struct world *w)
   *w = (struct world){0};
   measure();
   assert_ok(um_compare_measurements_read(context, "m.csv", &w->measurements));
-  assert_ok(
-      um_sensitivity_forward_create(context, "scene", &changes, w->measurements, 1.0, &w->forward));
+  assert_ok(um_sensitivity_forward_create(context, "scene", &changes, w->measurements,
+                                          UM_VARIANT_TIGHT, &w->forward));
   struct um_diagnosis *d = &w->d;
   size_t n = w->forward->observations.count;
   w->addition[0] = (struct um_model_addition){effect_named("internal_power"), "bus", {41.5}};

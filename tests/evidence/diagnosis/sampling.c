@@ -47,7 +47,7 @@ static struct um_sensitivity_forward *forward_with(int samples,
   const char *overrides[] = {text};
   const struct um_model_options options = {.overrides = overrides, .noverride = 1};
   snprintf(text, sizeof text, "optics.samples=%d", samples);
-  return forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  return forward_of(&options, m);
 }
 
 /* umbra compare on the same model weighs by the same sigma; variants look with the same points.

@@ -58,8 +58,7 @@ static void parameter_that_does_nothing(void **state)
   fputs(scenario, file);
   assert_int_equal(fclose(file), 0);
   measured_make(context, path, &changes, &measured);
-  OK(um_sensitivity_forward_create(context, path, NULL, measured, UM_SENSITIVITY_TOLERANCE_FACTOR,
-                                   &forward));
+  OK(um_sensitivity_forward_create(context, path, NULL, measured, UM_VARIANT_TIGHT, &forward));
   OK(um_sensitivity_candidates_create(context, forward, NULL, 0, &options.candidates, &candidates));
   const struct um_sensitivity_candidate *c = &candidates->candidate[0];
   assert_string_equal(c->name, "attitude_offset");

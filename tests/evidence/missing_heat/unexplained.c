@@ -61,7 +61,7 @@ static size_t true_values(const struct um_model_options *options, double *value)
 {
   put_rows(NULL, NULL);
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(options, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(options, m);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
   size_t n = f->observations.count;
   um_sensitivity_forward_destroy(context, &f);
@@ -107,7 +107,7 @@ static struct um_missing_heat_unexplained *look(bool nuisance)
 {
   double value[3 * ROWS], column[3 * ROWS];
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(NULL, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
   struct um_missing_heat_unexplained *u;
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
   for (size_t i = 0; i < f->observations.count; i++)
@@ -139,7 +139,7 @@ static void test_columns(void **state)
     p.power = 2.0;
     put_pulse(&p, 0.0, 0, 1.0);
     struct um_compare_measurements *m = measured();
-    struct um_sensitivity_forward *f = forward_of(&fine_options, m, 1.0);
+    struct um_sensitivity_forward *f = forward_of(&fine_options, m);
     struct um_missing_heat_base base;
     struct um_missing_heat_place *place;
     size_t nplace, at = 0;
@@ -244,7 +244,7 @@ static void test_memory(void **state)
   assert_int_equal(um_core_context_create(&allocator, &context), UM_OK);
   put_world(""); /* with a small set of its own */
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(NULL, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
   assert_ok(um_sensitivity_forward_evaluate(context, f, NULL, 0, value));
   long alive = memory.alive, first = memory.calls;
   assert_ok(um_missing_heat_unexplained_create(context, f, NULL, 0, value, NULL, 0, &u));

@@ -55,7 +55,7 @@ static void test_list(void **state)
   const struct um_model_options options = {.without = off, .nwithout = 1};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(&options, m);
   struct um_sensitivity_candidates *list = candidates_of(f, only, sizeof only / sizeof only[0]);
   assert_int_equal(list->count, sizeof expected / sizeof expected[0]);
   for (size_t i = 0; i < list->count; i++)
@@ -120,7 +120,7 @@ static void test_linear(void **state)
   static const char *const only[] = {"zero_point:lwir", "background:lwir"};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
   struct um_sensitivity_candidates *list = candidates_of(f, only, 2);
   const double *zero = named(list, "zero_point:lwir")->signature;
   const double *background = named(list, "background:lwir")->signature;
@@ -146,7 +146,7 @@ static void test_central(void **state)
                                      "time_tag"};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
   struct um_sensitivity_candidates *list = candidates_of(f, only, 4);
   assert_int_equal(list->count, 4);
   for (size_t i = 0; i < list->count; i++) {
@@ -186,7 +186,7 @@ static void test_interiors(void **state)
   const struct um_model_options options = {.overrides = inside, .noverride = 2};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(&options, m);
   struct um_sensitivity_candidates *list = candidates_of(f, only, 1);
   assert_int_equal(list->count, 3);
   for (size_t i = 0; i < 3; i++) {
@@ -208,7 +208,7 @@ static void test_steps(void **state)
   static const char *const only[] = {"panel_extraction:panel", "attitude_offset", "zero_point:vis"};
   put_world("effects:\n  - {effect: panel_extraction, target: panel, efficiency: 0.4}\n");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
   struct um_sensitivity_candidates *list = candidates_of(f, only, 3);
   const struct um_sensitivity_candidate *c = named(list, "panel_extraction:panel");
   const struct um_effect_parameter *p = &c->effect->parameters[0];
@@ -247,8 +247,7 @@ static void test_ranges(void **state)
   const char *const cells[] = {"parts.panel.electrical_extraction=0.18", "time.exposure_s=2"};
   const struct um_model_options options = {.overrides = cells, .noverride = 2};
   for (int given = 0; given < 2; given++) {
-    struct um_sensitivity_forward *f =
-        forward_of(given ? &options : NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+    struct um_sensitivity_forward *f = forward_of(given ? &options : NULL, m);
     struct um_sensitivity_candidates *list = candidates_of(f, only, 6);
     const struct um_sensitivity_candidate *panel = named(list, "panel_extraction:panel");
     assert_false(panel->insensitive);
@@ -307,7 +306,7 @@ static void test_stated(void **state)
   const struct um_model_options options = {.overrides = cells, .noverride = 3};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(&options, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+  struct um_sensitivity_forward *f = forward_of(&options, m);
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     const struct um_effect *effect = um_effects_find(cases[i].effect);
     struct um_effect_stated stated;
@@ -363,7 +362,7 @@ static void test_workers(void **state)
   for (int i = 0; i < 3; i++) {
     um_core_context_set_threads(context, i == 1 ? 3 : 1);
     if (i < 2)
-      f[i] = forward_of(NULL, m, UM_SENSITIVITY_TOLERANCE_FACTOR);
+      f[i] = forward_of(NULL, m);
     else
       before = (f[i] = f[0])->evaluations;
     list[i] = candidates_of(f[i], only, sizeof only / sizeof only[0]);

@@ -48,12 +48,11 @@ static inline struct um_compare_measurements *measured(void)
 }
 
 static inline struct um_sensitivity_forward *forward_of(const struct um_model_options *options,
-                                                        const struct um_compare_measurements *m,
-                                                        double tolerance_factor)
+                                                        const struct um_compare_measurements *m)
 {
   struct um_sensitivity_forward *forward;
   assert_ok(
-      um_sensitivity_forward_create(context, SCENARIO, options, m, tolerance_factor, &forward));
+      um_sensitivity_forward_create(context, SCENARIO, options, m, UM_VARIANT_TIGHT, &forward));
   return forward;
 }
 

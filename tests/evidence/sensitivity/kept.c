@@ -21,7 +21,7 @@ static void values_and_targets_are_told_apart(void **state)
   const struct um_model_options options = {.overrides = isothermal, .noverride = 2};
   put_world("");
   struct um_compare_measurements *m = measured();
-  struct um_sensitivity_forward *f = forward_of(&options, m, 1.0);
+  struct um_sensitivity_forward *f = forward_of(&options, m);
   double value[2][48], expected[48], again[48];
   assert_int_equal(f->observations.count, 48);
   for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
