@@ -18,11 +18,12 @@
 #include "tests/support/whole.h"
 #include "tests/support/with_context.h"
 
-#define SCENARIO      UMBRA_SOURCE_DIR "/scenarios/hidden-effect/dusk"
-#define ASKED         1e-3
-#define MATRIX_FACTOR 0.1 /* on the scenario's tolerances, as a matrix of derivatives has it [1]   \
-                           */
-#define PERIODIC 1e-5     /* [K] */
+#define SCENARIO UMBRA_SOURCE_DIR "/scenarios/hidden-effect/dusk"
+#define ASKED    1e-3
+#define MATRIX_FACTOR                                                                              \
+  0.1                 /* on the scenario's tolerances, as a matrix of derivatives has it [1]       \
+                       */
+#define PERIODIC 1e-5 /* [K] */
 
 struct moved {
   const char *effect, *target;
