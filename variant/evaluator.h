@@ -93,12 +93,13 @@ double um_variant_base_seconds_heat(const struct um_variant_evaluator *evaluator
 struct um_model_tables *um_variant_base_tables(struct um_context *context,
                                                struct um_variant_evaluator *evaluator);
 
-/* Light between surfaces by so many paths from now on, 0: as the scenario has them, on every
- * geometry that is at hand; those that are traced later go by settings.instants, which the caller
- * has set to the same. Light that is kept is given up; sunlight between mirrors is kept anew where
- * the settings ask for it. After um_variant_base. Errors of um_model_precompute_photons. */
+/* Light between surfaces by so many paths from now on, 0: as the scenario has them: `base` on the
+ * scenario's own geometry, `others` on every other that is at hand; those that are traced later go
+ * by settings.instants, which the caller has set to the same. Light that is kept is given up;
+ * sunlight between mirrors is kept anew where the settings ask for it. After um_variant_base.
+ * Errors of um_model_precompute_photons. */
 enum um_status um_variant_paths(struct um_context *context, struct um_variant_evaluator *evaluator,
-                                int paths);
+                                int base, int others);
 
 /* The scenario with changes, its geometry and, with `heat`, its heat; heat NULL: none is asked for.
  * What is refused because of the changes is UM_ERR_REFUSED. Errors of um_model_variant_create,

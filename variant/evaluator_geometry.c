@@ -18,13 +18,12 @@ enum um_status um_variant_base_geometry(struct um_context *context, struct um_va
 }
 
 enum um_status um_variant_paths(struct um_context *context, struct um_variant_evaluator *evaluator,
-                                int paths)
+                                int base, int others)
 {
-  struct um_model_tables *base = um_variant_base_tables(context, evaluator);
-  if (base->sampling.paths == paths && base->photons != NULL) return UM_OK;
-  base->sampling.paths = paths;
   for (struct um_variant_kept *kept = evaluator->cache.first; kept != NULL; kept = kept->next)
-    kept->tables->sampling.paths = paths;
+    kept->tables->sampling.paths = others;
+  if (evaluator->tables->sampling.paths == base && evaluator->tables->photons != NULL) return UM_OK;
+  um_variant_base_tables(context, evaluator)->sampling.paths = base;
   return keep_photons(context, evaluator);
 }
 

@@ -253,27 +253,27 @@ static enum um_status keep_different(struct um_context *context, bool asked,
 }
 
 /* Signatures by few paths between surfaces: their sampling error is a share of themselves, and a
- * hundredth of a signature takes a ten-thousandth from a score. What is promised to be a derivative
- * has the paths of the values. */
+ * hundredth of a signature takes a ten-thousandth from a score. */
 static enum um_status make_signatures(struct um_context *context,
                                       struct um_sensitivity_point *point,
                                       struct um_sensitivity_candidates *list)
 {
   enum um_status status;
   struct um_sensitivity_forward *f = point->forward;
-  double *few = NULL;
-  UM_CHECK(um_sensitivity_forward_few(context, f, !point->derivatives));
+  double *base = NULL;
+  UM_CHECK(um_sensitivity_forward_paths(
+      context, f, point->derivatives ? UM_SENSITIVITY_DERIVATIVES : UM_SENSITIVITY_SIGNATURES));
   point->base = list->base;
-  if (f->cache->few != NULL) {
-    UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *few, &few));
-    UM_CHECK(um_sensitivity_forward_evaluate(context, f, point->addition, point->naddition, few));
-    point->base = few;
+  if (f->cache->few != NULL && point->naddition > 0) {
+    UM_CHECK(um_core_allocate(context, list->nobservation, sizeof *base, &base));
+    UM_CHECK(um_sensitivity_forward_evaluate(context, f, point->addition, point->naddition, base));
+    point->base = base;
   }
   UM_CHECK(um_sensitivity_forward_noise(context, f, &point->noise));
   UM_CHECK(um_sensitivity_signatures_create(context, point, list->candidate, list->count));
-  UM_CHECK(um_sensitivity_forward_few(context, f, false));
+  UM_CHECK(um_sensitivity_forward_paths(context, f, UM_SENSITIVITY_VALUES));
 done:
-  um_core_free(context, few);
+  um_core_free(context, base);
   return status;
 }
 

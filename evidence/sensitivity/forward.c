@@ -38,9 +38,25 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
   return status;
 }
 
-/* Observations in use from the prediction of all. */
+/* What few paths make of the base is known beside the true one. Where it is nearly right, an error
+ * is a share of the light; else light is faint, and what is added to it behind may be most of it.
+ */
+#define NEARLY 0.1
+
+static void correct(const struct um_sensitivity_forward *forward, double *value)
+{
+  const double *few = forward->cache->few, *base = forward->cache->base;
+  for (size_t j = 0; j < forward->observations.count; j++)
+    if (fabs(base[j] - few[j]) <= NEARLY * fabs(few[j]) && few[j] != 0.0)
+      value[j] *= base[j] / few[j];
+    else
+      value[j] += base[j] - few[j];
+}
+
+/* Observations in use from the prediction of all, with the tables it is of. */
 static enum um_status gather(struct um_context *context,
-                             const struct um_sensitivity_forward *forward, double *value)
+                             const struct um_sensitivity_forward *forward,
+                             const struct um_model_tables *tables, double *value)
 {
   const struct um_compare_measurements *m = forward->measurements;
   const struct um_sensitivity_observations *o = &forward->observations;
@@ -52,6 +68,8 @@ static enum um_status gather(struct um_context *context,
                           m->row[o->row[j]].line, um_compare_quantity_name(channel->quantity),
                           channel->of, value[j]);
   }
+  if (forward->cache->few != NULL && tables->sampling.paths == forward->paths_before)
+    correct(forward, value);
   return UM_OK;
 }
 
@@ -98,7 +116,7 @@ static enum um_status evaluate(struct um_context *context, struct um_sensitivity
   UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, &v));
   note_heat(forward, &v, &heat);
   UM_CHECK(predict(context, forward, &v));
-  UM_CHECK(gather(context, forward, value));
+  UM_CHECK(gather(context, forward, v.tables, value));
 done:
   um_variant_close(context, &v);
   /* the scenario itself was computed, so that what is refused is the additions */
@@ -114,8 +132,7 @@ static enum um_status evaluate_timed(struct um_context *context,
   enum um_status status = UM_OK;
   if (naddition == 0) {
     forward->cache->fresh_heat = forward->cache->moved_heat = false;
-    memcpy(value, um_sensitivity_forward_base(forward),
-           forward->observations.count * sizeof *value);
+    memcpy(value, forward->cache->base, forward->observations.count * sizeof *value);
   } else {
     um_core_quiet_begin(context);
     status = evaluate(context, forward, addition, naddition, move, value);
@@ -176,7 +193,7 @@ static enum um_status evaluate_part(struct um_context *context,
     mixed.heat = v.heat;
   }
   UM_CHECK(predict(context, forward, &mixed));
-  UM_CHECK(gather(context, forward, value));
+  UM_CHECK(gather(context, forward, mixed.tables, value));
 done:
   um_variant_close(context, &v);
   return status == UM_ERR_INPUT ? UM_ERR_REFUSED : status;
@@ -209,7 +226,7 @@ static enum um_status repeat(struct um_context *context, struct um_sensitivity_f
   struct um_variant v = forward->base;
   UM_CHECK(um_variant_heat_again(context, forward->evaluator, &heat, &v));
   UM_CHECK(predict(context, forward, &v));
-  UM_CHECK(gather(context, forward, value));
+  UM_CHECK(gather(context, forward, v.tables, value));
 done:
   um_variant_close(context, &v);
   return status;
@@ -220,7 +237,7 @@ enum um_status um_sensitivity_forward_noise(struct um_context *context,
 {
   enum um_status status = UM_OK;
   double *value = NULL, largest = 0.0, begin = omp_get_wtime();
-  const double *base = um_sensitivity_forward_base(forward);
+  const double *base = forward->cache->base;
   *out = forward->cache->noise;
   if (!isnan(*out)) return UM_OK;
   um_core_quiet_begin(context);
@@ -239,40 +256,34 @@ done:
 
 /* --- few paths -------------------------------------------------------------------------------- */
 
-const double *um_sensitivity_forward_base(const struct um_sensitivity_forward *forward)
+enum um_status um_sensitivity_forward_paths(struct um_context *context,
+                                            struct um_sensitivity_forward *forward,
+                                            enum um_sensitivity_paths paths)
 {
-  return forward->cache->few != NULL ? forward->cache->few : forward->cache->base;
+  struct um_sensitivity_forward *f = forward;
+  int base = paths == UM_SENSITIVITY_DERIVATIVES ? f->paths : f->paths_before;
+  f->instants.sampling.paths = paths == UM_SENSITIVITY_SIGNATURES ? f->paths_before : f->paths;
+  if (f->paths == f->paths_before) return UM_OK;
+  um_core_quiet_begin(context);
+  enum um_status status = um_variant_paths(context, f->evaluator, base, f->instants.sampling.paths);
+  um_core_quiet_end(context);
+  return status;
 }
 
-static enum um_status go_few(struct um_context *context, struct um_sensitivity_forward *f)
+/* The scenario as it stands by few paths, once. */
+static enum um_status find_few(struct um_context *context, struct um_sensitivity_forward *f)
 {
-  double *few = NULL, begin = omp_get_wtime();
-  enum um_status status;
+  double *few = NULL;
+  enum um_status status = UM_OK;
+  if (f->paths == f->paths_before) return UM_OK;
+  UM_CHECK(um_sensitivity_forward_paths(context, f, UM_SENSITIVITY_VALUES));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *few, &few));
   UM_CHECK(predict(context, f, &f->base));
-  UM_CHECK(gather(context, f, few));
+  UM_CHECK(gather(context, f, f->base.tables, few));
   f->cache->few = few;
   few = NULL;
 done:
   um_core_free(context, few);
-  f->evaluations++;
-  f->seconds += omp_get_wtime() - begin;
-  return status;
-}
-
-enum um_status um_sensitivity_forward_few(struct um_context *context,
-                                          struct um_sensitivity_forward *forward, bool few)
-{
-  struct um_sensitivity_forward *f = forward;
-  int paths = few ? f->paths_before : f->paths;
-  if (f->paths == f->paths_before || f->instants.sampling.paths == paths) return UM_OK;
-  f->instants.sampling.paths = paths;
-  um_core_free(context, f->cache->few);
-  f->cache->few = NULL;
-  um_core_quiet_begin(context);
-  enum um_status status = um_variant_paths(context, f->evaluator, paths);
-  if (status == UM_OK && few) status = go_few(context, f);
-  um_core_quiet_end(context);
   return status;
 }
 
@@ -306,7 +317,7 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
   f->paths = refinement.interreflection;
   /* all look at the body with the same points */
   f->instants.sampling = base->tables->sampling;
-  return um_variant_paths(context, f->evaluator, f->instants.sampling.paths);
+  return um_variant_paths(context, f->evaluator, f->paths, f->paths);
 }
 
 static enum um_status first_evaluation(struct um_context *context, struct um_sensitivity_forward *f)
@@ -324,7 +335,8 @@ static enum um_status first_evaluation(struct um_context *context, struct um_sen
   UM_CHECK(um_sensitivity_observations_create(context, f->plan, f->model->scenario, result,
                                               cache->predicted, &f->observations));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *cache->base, &cache->base));
-  UM_CHECK(gather(context, f, cache->base));
+  UM_CHECK(gather(context, f, f->base.tables, cache->base));
+  UM_CHECK(find_few(context, f));
   f->evaluations = 1;
   f->seconds = f->seconds_first = omp_get_wtime() - begin;
 done:

@@ -9,7 +9,7 @@
 struct um_sensitivity_forward_cache {
   double *predicted; /* [observations of the set] in the unit of the quantity */
   double *base;      /* [nobservation] of the scenario as it stands, linear unit */
-  double *few;       /* the same by few paths, while these are asked for; else NULL */
+  double *few;       /* the same by as few paths as the scenario has; NULL: there are no fewer */
   double noise;      /* um_sensitivity_forward_noise; NaN: not yet known */
   bool fresh_heat; /* the last evaluation had heat of its own, which an integration gives with noise
                     */
@@ -21,14 +21,20 @@ struct um_sensitivity_forward_cache {
  * where it ended: how well heat that is integrated repeats. Computed once. */
 enum um_status um_sensitivity_forward_noise(struct um_context *context,
                                             struct um_sensitivity_forward *forward, double *out);
-/* Light between surfaces of evaluations from now on: by as few paths as the scenario has, or again
- * by as many as the observations want. A difference of two evaluations by few has the sampling
- * error of these, as a share of itself; that of a value has not to be small beside sigma. */
-enum um_status um_sensitivity_forward_few(struct um_context *context,
-                                          struct um_sensitivity_forward *forward, bool few);
-/* Values of the scenario as it stands, by the paths that are asked for; [nobservation], borrowed.
- */
-const double *um_sensitivity_forward_base(const struct um_sensitivity_forward *forward);
+/* By how many paths light between surfaces goes in evaluations from now on: as few as the scenario
+ * has, or as many as the observations want. What few paths make of the scenario as it stands is
+ * known beside the true one, and what they make of a variant is corrected by that: a difference has
+ * the sampling error of few as a share of itself. That holds where both see the same surfaces along
+ * the same paths. */
+enum um_sensitivity_paths {
+  UM_SENSITIVITY_VALUES,     /* few with the scenario's own geometry, many with another: a forward
+                                begins so */
+  UM_SENSITIVITY_SIGNATURES, /* few: a hundredth of a signature is small beside its score */
+  UM_SENSITIVITY_DERIVATIVES /* many: what is promised of them holds */
+};
+enum um_status um_sensitivity_forward_paths(struct um_context *context,
+                                            struct um_sensitivity_forward *forward,
+                                            enum um_sensitivity_paths paths);
 /* um_sensitivity_forward_evaluate of the move, at its step, with heat by the answer that was found.
  */
 enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,

@@ -2,6 +2,20 @@
 #include "evidence/sensitivity/forward.h"
 #include "model/run/run.h"
 
+/* Observations want many paths, of which evaluations with the scenario's geometry have few. */
+static enum um_status run_with_all_paths(struct um_context *context,
+                                         const struct um_sensitivity_forward *forward, bool window,
+                                         struct um_sensitivity_forward_run *out)
+{
+  const struct um_variant *v = &out->variant;
+  bool more = !window && v->tables->sampling.paths != forward->paths;
+  if (more) UM_TRY(um_variant_paths(context, forward->evaluator, forward->paths, forward->paths));
+  UM_TRY(um_model_run_with(context, v->model, v->tables, v->heat, &out->result));
+  if (!more) return UM_OK;
+  return um_variant_paths(context, forward->evaluator, forward->paths_before,
+                          forward->instants.sampling.paths);
+}
+
 enum um_status um_sensitivity_forward_run(struct um_context *context,
                                           const struct um_sensitivity_forward *forward,
                                           const struct um_model_addition *addition,
@@ -20,7 +34,7 @@ enum um_status um_sensitivity_forward_run(struct um_context *context,
     UM_CHECK(um_variant_open_over(context, forward->evaluator, &window, &changes, &heat, v));
   else
     UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
-  UM_CHECK(um_model_run_with(context, v->model, v->tables, v->heat, &out->result));
+  UM_CHECK(run_with_all_paths(context, forward, grid && !forward->model->points, out));
 done:
   um_core_quiet_end(context);
   if (status != UM_OK) um_sensitivity_forward_run_release(context, out);

@@ -17,7 +17,8 @@ static const char scenario[] = BOX("2016-09-06T18:09:00Z", "2016-09-06T18:13:00Z
 enum { NBAND = 2, NPLACE = 2, TOLD = NBAND + NPLACE, MOST = 3 };
 static const size_t place[NPLACE] = {0, 1};
 static const bool thermal[NBAND] = {false, true};
-static const char *const periodic[] = {"thermal.start=periodic", "thermal.orbits_before=1"};
+static const char *const periodic[] = {"thermal.start=periodic", "thermal.orbits_before=1",
+                                       "thermal.accuracy_K=0.01"}; /* bends by 3 mK are looked at */
 static char path[UM_TEST_PATH];
 
 static int set_up(void **state)
@@ -75,7 +76,7 @@ static void run(const char *const *keys, size_t nkey, const struct asked *asked,
                 const double *at, double *value)
 {
   char text[MOST][128];
-  const char *key[MOST + 2], *with[MOST];
+  const char *key[MOST + 3], *with[MOST];
   struct um_forecast_work work = {.nband = NBAND, .nplace = NPLACE, .place = place};
   struct um_model_options options = {.overrides = key, .noverride = nkey, .with = with};
   struct um_variant v = {0};
@@ -223,8 +224,8 @@ static void test_periodic(void **state)
       {"emittance:grey_white=0.03", "emittance:grey_white,emittance_factor", false, 1.0, 0.03}};
   double *record, *mean;
   OK(um_core_allocate(context, 2 * nvalue(), sizeof *mean, &mean));
-  forecast(periodic, 2, asked, 2, false, &record);
-  sample(periodic, 2, asked, 2, mean, mean + nvalue());
+  forecast(periodic, 3, asked, 2, false, &record);
+  sample(periodic, 3, asked, 2, mean, mean + nvalue());
   compare(record, mean, mean + nvalue(), 0.03, 1e-5, 120);
   um_core_free(context, record);
   um_core_free(context, mean);
@@ -240,15 +241,15 @@ static void test_turned(void **state)
       {"attitude_offset,y_deg=0.5", "attitude_offset,y_deg", false, 0.0, 0.5}};
   double *record, *mean;
   OK(um_core_allocate(context, 2 * nvalue(), sizeof *mean, &mean));
-  forecast(periodic, 2, asked, 1, false, &record);
-  sample(periodic, 2, asked, 1, mean, mean + nvalue());
+  forecast(periodic, 3, asked, 1, false, &record);
+  sample(periodic, 3, asked, 1, mean, mean + nvalue());
   compare(record, mean, mean + nvalue(), 0.06, 2e-4, 60);
   /* what it bends by is of runs alone, not of the looser heat that is predicted by */
   const size_t bus = 1 + NBAND * sizeof(struct um_forecast_band) / sizeof(double);
   double kelvin[3];
   for (size_t i = 0; i < 3; i++) {
     const double at = 0.5 * ((double)i - 1.0);
-    run(periodic, 2, asked, 1, &at, mean);
+    run(periodic, 3, asked, 1, &at, mean);
     kelvin[i] = mean[bus];
   }
   double bend = fabs(0.5 * (kelvin[0] + kelvin[2]) - kelvin[1]);
