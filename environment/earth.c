@@ -234,10 +234,12 @@ static void scale(double *x, double factor)
 }
 
 /* Moments of the uniform Earth whose fluxes a plate gets. */
-static void uniform_moments(const struct lit_cap *cap, struct um_vec3 normal, double albedo,
-                            double planet, struct um_environment_earth_moments *out)
+static void uniform_moments(const struct lit_cap *cap,
+                            const struct um_environment_earth_azimuths *azimuths,
+                            struct um_vec3 normal, double albedo, double planet,
+                            struct um_environment_earth_moments *out)
 {
-  um_environment_earth_moments(&cap->view, normal, albedo > 0.0, out);
+  um_environment_earth_moments(&cap->view, azimuths, normal, albedo > 0.0, out);
   scale(out->albedo, albedo);
   scale(out->planet, planet);
 }
@@ -249,7 +251,9 @@ static void varied_flux(const struct um_environment_ground_view *ground, const s
                         struct um_environment_earth_moments *moments)
 {
   struct um_environment_varied varied;
+  struct um_environment_earth_azimuths azimuths = {0};
   um_environment_varied_make(&cap->view, ground, &varied);
+  if (moments != NULL) azimuths = um_environment_earth_azimuths(&cap->view);
   for (size_t i = 0; i < n; i++) {
     double albedo, planet;
     um_environment_varied_plate(&varied, normals[i], &albedo, &planet, &out[i].brightness);
@@ -260,7 +264,8 @@ static void varied_flux(const struct um_environment_ground_view *ground, const s
     planet += varied.longwave * out[i].view_factor;
     out[i].planet = planet < 0.0 || out[i].view_factor == 0.0 ? 0.0 : planet;
     if (moments == NULL) continue;
-    uniform_moments(cap, normals[i], uniform, varied.longwave * out[i].view_factor, &moments[i]);
+    uniform_moments(cap, &azimuths, normals[i], uniform, varied.longwave * out[i].view_factor,
+                    &moments[i]);
     um_environment_varied_moments(&varied, normals[i], &moments[i]);
     scale(moments[i].albedo, out[i].albedo > 0.0 ? irradiance / UM_PI : 0.0);
     scale(moments[i].planet, out[i].planet > 0.0 ? 1.0 : 0.0);
@@ -282,6 +287,8 @@ void um_environment_earth_flux_by_angle(const struct um_environment *environment
     varied_flux(&ground, &cap, irradiance, normals, n, out, moments);
     return;
   }
+  struct um_environment_earth_azimuths azimuths = {0};
+  if (moments != NULL) azimuths = um_environment_earth_azimuths(&cap.view);
   double of_albedo = environment->albedo * irradiance / UM_PI;
   for (size_t i = 0; i < n; i++) {
     out[i].albedo = of_albedo * lit_flux(&cap, normals[i]);
@@ -289,7 +296,7 @@ void um_environment_earth_flux_by_angle(const struct um_environment *environment
     out[i].planet = environment->outgoing_longwave * out[i].view_factor;
     out[i].brightness = environment->brightness_temperature;
     if (moments != NULL)
-      uniform_moments(&cap, normals[i], out[i].albedo, out[i].planet, &moments[i]);
+      uniform_moments(&cap, &azimuths, normals[i], out[i].albedo, out[i].planet, &moments[i]);
   }
 }
 
