@@ -14,10 +14,12 @@
 #include "geometry/visibility_data_impl.h"
 
 #define SIDE       32
-#define NCELL      (SIDE * SIDE)
+#define NCELL      UM_GEOMETRY_OPEN_CELLS
 #define NDIRECTION 64
 #define KEY_SKY    UINT64_C(0x736b79)
 #define BATCH      256
+
+_Static_assert(NCELL == SIDE * SIDE, "cells of the square");
 
 struct um_geometry_sky {
   struct um_context *context;

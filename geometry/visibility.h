@@ -65,8 +65,9 @@ void um_geometry_sky_destroy(struct um_geometry_sky **sky);
 /* Free fraction of surface s toward direction d (0..1), nearest cell; 1 for open surfaces. d is
  * assumed to lie before the surface. */
 double um_geometry_sky_free(const struct um_geometry_sky *sky, size_t surface, struct um_vec3 d);
-/* The same in two steps, since the cell of a direction is the same for all surfaces; freedom: the
- * fraction times 255, 0..255. */
+/* The same in two steps, since the cell of a direction, 0..UM_GEOMETRY_OPEN_CELLS - 1, is the same
+ * for all surfaces; freedom: the fraction times 255, 0..255. */
+#define UM_GEOMETRY_OPEN_CELLS 1024 /* of one solid angle, about 6 deg across */
 uint16_t um_geometry_sky_cell(struct um_vec3 d);
 uint8_t um_geometry_sky_freedom(const struct um_geometry_sky *sky, size_t surface, uint16_t cell);
 

@@ -4,6 +4,8 @@
 #ifndef UMBRA_CORE_WIDE_H
 #define UMBRA_CORE_WIDE_H
 
+#include <limits.h> /* says whose library it is */
+
 #if defined __x86_64__ && defined __GLIBC__ && !defined __SANITIZE_THREAD__
 #define UM_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
 #else

@@ -147,8 +147,8 @@ static void earth_set(const struct tracer *t, size_t at, size_t s,
 
 /* Surfaces of a class that are not open, side by side. */
 struct group {
-  size_t n, surface[UM_IRRADIATION_LANES];
-  size_t done; /* groups of the class before it */
+  size_t n, surface[UM_IRRADIATION_BLOCKS * UM_IRRADIATION_LANES];
+  size_t done; /* surfaces of the class in groups before it */
 };
 
 static void group_trace(const struct tracer *t, const struct um_thermal_scene *scene, size_t at,
@@ -157,19 +157,21 @@ static void group_trace(const struct tracer *t, const struct um_thermal_scene *s
 {
   struct um_thermal_free free_of;
   struct um_thermal_shares share[UM_IRRADIATION_LANES];
-  size_t class = at % t->normals->n;
   if (group->n == 0) return;
   if (t->sky != NULL) {
-    um_irradiation_look_at_sky(t->sky, t->sky->group[class] + group->done, half, &free_of);
+    um_irradiation_look_at_sky(t->sky, at % t->normals->n, group->done, half, &free_of);
   } else {
-    memset(&free_of, 0, sizeof free_of);
+    memset(&free_of.block[0], 0, sizeof free_of.block[0]);
     for (size_t l = 0; l < group->n; l++)
-      um_irradiation_look_by_rays(t->mesh, scene, group->surface[l], t->normal[at], cap, l,
-                                  &free_of);
+      um_irradiation_look_by_rays(t->mesh, scene, group->surface[l], cap, half, l,
+                                  &free_of.block[0]);
   }
-  um_irradiation_cap_shares(half, &free_of, share);
-  for (size_t l = 0; l < group->n; l++) earth_set(t, at, group->surface[l], &share[l], out);
-  group->done++;
+  for (size_t first = 0; first < group->n; first += UM_IRRADIATION_LANES) {
+    um_irradiation_cap_shares(half, &free_of.block[first / UM_IRRADIATION_LANES], share);
+    for (size_t l = 0; l < UM_IRRADIATION_LANES && first + l < group->n; l++)
+      earth_set(t, at, group->surface[first + l], &share[l], out);
+  }
+  group->done += group->n;
   group->n = 0;
 }
 
@@ -180,7 +182,8 @@ static void class_trace(const struct tracer *t, const struct um_thermal_scene *s
   static const struct um_thermal_shares whole = {.albedo = 1.0, .planet = 1.0, .view_factor = 1.0};
   struct um_thermal_half half;
   struct group group = {0};
-  size_t class = at % t->normals->n;
+  size_t class = at % t->normals->n, blocks = 1;
+  if (t->sky != NULL) blocks = um_irradiation_sky_blocks(t->sky, class);
   for (size_t k = t->normals->begin[class]; k < t->normals->begin[class + 1]; k++) {
     size_t s = t->normals->order[k];
     if (!(t->flux[at].view_factor > 0.0) || um_geometry_visibility_is_open(scene->visibility, s)) {
@@ -190,7 +193,8 @@ static void class_trace(const struct tracer *t, const struct um_thermal_scene *s
     if (group.n == 0 && group.done == 0)
       um_irradiation_cap_halve(cap, t->normal[at], t->sky != NULL, t->moments != NULL, &half);
     group.surface[group.n++] = s;
-    if (group.n == UM_IRRADIATION_LANES) group_trace(t, scene, at, cap, &half, &group, out);
+    if (group.n == blocks * UM_IRRADIATION_LANES)
+      group_trace(t, scene, at, cap, &half, &group, out);
   }
   group_trace(t, scene, at, cap, &half, &group, out);
 }
@@ -212,7 +216,7 @@ static void trace_earth(const struct tracer *t, const struct um_environment_samp
   struct um_thermal_cap cap;
   cap.n = um_environment_earth_cap(t->environment, &globe, r, sun, sample->sun_distance, cap.point);
   cap.varies = um_environment_earth_varies(t->environment);
-  if (t->sky != NULL && um_irradiation_sky_bytes(t->sky) > 0) um_irradiation_cap_spread(&cap);
+  um_irradiation_cap_spread(&cap, t->sky != NULL ? t->sky->cell : NULL);
   for (size_t i = 0; i < n && !um_core_stopped(t->context); i++)
     class_trace(t, scene, first + i, &cap, out);
 }

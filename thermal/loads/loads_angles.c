@@ -13,30 +13,32 @@
 
 UM_WIDE_VECTORS static void polynomials(struct um_thermal_half *half)
 {
-  for (size_t k = 0; k < half->n; k++) {
+  for (size_t k = 0; k < (half->n + 3) / 4 * 4; k++) {
     double p[MOMENTS], cosine = half->cosine[k];
     um_environment_angular_polynomials(cosine < 1.0 ? cosine : 1.0, p);
     for (int m = 0; m < MOMENTS; m++) half->polynomial[m][k] = p[m];
   }
 }
 
-/* Reflected and emitted, side by side. */
-typedef double two __attribute__((vector_size(2 * sizeof(double))));
+/* Four directions side by side. */
+typedef double four __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double))));
+
+UM_WIDE_VECTORS static void moments(const struct um_thermal_half *half, const double *value,
+                                    double out[MOMENTS])
+{
+  four sum[MOMENTS] = {{0.0}};
+  for (size_t k = 0; k < half->n; k += 4)
+    for (int m = 0; m < MOMENTS; m++)
+      sum[m] += *(const four *)&value[k] * *(const four *)&half->polynomial[m][k];
+  for (int m = 0; m < MOMENTS; m++) out[m] = sum[m][0] + sum[m][1] + sum[m][2] + sum[m][3];
+}
 
 void um_irradiation_half_by_angle(struct um_thermal_half *half)
 {
-  two sum[MOMENTS] = {{0.0}};
   half->by_angle = true;
   polynomials(half);
-  for (size_t k = 0; k < half->n; k++) {
-    double planet = half->weight[k] * (half->varies ? half->emitted[k] : 1.0);
-    const two of = {half->weight[k] * half->radiance[k], planet};
-    for (int m = 0; m < MOMENTS; m++) sum[m] += of * half->polynomial[m][k];
-  }
-  for (int m = 0; m < MOMENTS; m++) {
-    half->moment_albedo[m] = sum[m][0];
-    half->moment_planet[m] = sum[m][1];
-  }
+  moments(half, half->reflected, half->moment_albedo);
+  moments(half, half->varies ? half->emitted : half->open, half->moment_planet);
 }
 
 void um_irradiation_shares_by_angle(const struct um_thermal_half *half,

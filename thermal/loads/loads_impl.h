@@ -31,49 +31,58 @@ struct um_thermal_scene {
  * cap are of one size and would beat. */
 struct um_thermal_cap {
   struct um_environment_cap_point point[UM_EARTH_CAP_POINTS];
-  struct um_vec3 four[UM_EARTH_CAP_POINTS][4];
-  size_t cell[UM_EARTH_CAP_POINTS][4];
+  double along[1 + 4][3][UM_EARTH_CAP_POINTS]; /* unit vectors: of a point, of its four */
+  uint16_t cell[UM_EARTH_CAP_POINTS][4];       /* of the sky, of the four */
   size_t n;
   bool varies; /* what it emits differs from place to place */
 };
 
-/* What of the cap stands before surfaces of one normal. */
+/* What of the cap stands before surfaces of one normal; behind the last direction 0 up to a
+ * multiple of four. */
 struct um_thermal_half {
-  size_t n; /* directions before it */
+  size_t n;                            /* directions before it */
+  uint16_t point[UM_EARTH_CAP_POINTS]; /* of the cap */
   double cosine[UM_EARTH_CAP_POINTS];
-  double weight[UM_EARTH_CAP_POINTS];   /* cosine times solid angle [sr] */
-  double radiance[UM_EARTH_CAP_POINTS]; /* reflected [W/m^2/sr] */
-  double emitted[UM_EARTH_CAP_POINTS];  /* the same [W/m^2/sr], where the cap varies */
-  size_t ncell[UM_EARTH_CAP_POINTS];    /* 0 to 4 of the four that are before it too */
+  /* of each cosine times solid angle [sr]; times what is reflected [W/m^2]; times what is emitted
+     [W/m^2], where the cap varies */
+  double open[UM_EARTH_CAP_POINTS], reflected[UM_EARTH_CAP_POINTS], emitted[UM_EARTH_CAP_POINTS];
+  double unit[UM_EARTH_CAP_POINTS];   /* a direction is free by `unit` times a number [1] */
+  uint8_t ncell[UM_EARTH_CAP_POINTS]; /* 0 to 4 of the four that are before it too */
   uint16_t cell[UM_EARTH_CAP_POINTS][4];
-  double albedo, planet; /* sums of weight times radiance, and of weight, over all */
-  double longwave;       /* sum of weight times emitted, where the cap varies */
-  bool varies, by_angle; /* by_angle: what follows is there */
+  double planet, albedo, longwave;                            /* sums of those three */
+  bool varies, by_angle;                                      /* by_angle: what follows is there */
   double polynomial[UM_ANGULAR_MOMENTS][UM_EARTH_CAP_POINTS]; /* P_1 to P_5 there [1] */
   double moment_albedo[UM_ANGULAR_MOMENTS], moment_planet[UM_ANGULAR_MOMENTS]; /* sums over all */
 };
 
-/* Fill `four` and `cell` from the points. */
-void um_irradiation_cap_spread(struct um_thermal_cap *cap);
-/* The half of a cap before a unit normal; four: those were filled; by_angle: with polynomials. */
+/* Fill `along` from the points; cell [UM_IRRADIATION_CUBE_CELLS]: of the sky, then of the four too;
+ * NULL: not. */
+void um_irradiation_cap_spread(struct um_thermal_cap *cap, const uint16_t *cell);
+/* The half of a cap before a unit normal; four: those were filled, and numbers are sums of bytes,
+ * otherwise shares; by_angle: with polynomials. */
 void um_irradiation_cap_halve(const struct um_thermal_cap *cap, struct um_vec3 normal, bool four,
                               bool by_angle, struct um_thermal_half *out);
 /* Its polynomials, once all else is there. */
 void um_irradiation_half_by_angle(struct um_thermal_half *half);
-/* How free the directions of the half are before surfaces of one normal, side by side; 0 beside
- * them. */
-struct um_thermal_free {
+/* The numbers by which the directions of the half are free before surfaces of one normal side by
+ * side, 0 beside them; blocks of such. */
+struct um_thermal_block {
   double of[UM_EARTH_CAP_POINTS][UM_IRRADIATION_LANES];
 };
-/* By the sky of a rigid body, of one of its groups. */
-void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t group,
+struct um_thermal_free {
+  struct um_thermal_block block[UM_IRRADIATION_BLOCKS];
+};
+/* By the sky of a rigid body: of the surfaces of a class that are not open, those from `first` on,
+ * a multiple of what is looked at at once (um_irradiation_sky_blocks). */
+void um_irradiation_look_at_sky(const struct um_irradiation_sky *sky, size_t class, size_t first,
                                 const struct um_thermal_half *half, struct um_thermal_free *out);
 /* Of one surface, of the unit normal of which a half was made, by rays each from a point of the
- * facet of its own; out holds 0 there before. */
+ * facet of its own; out holds 0 in that lane before. */
 void um_irradiation_look_by_rays(const struct um_geometry_mesh *mesh,
                                  const struct um_thermal_scene *scene, size_t surface,
-                                 struct um_vec3 normal, const struct um_thermal_cap *cap,
-                                 size_t lane, struct um_thermal_free *out);
+                                 const struct um_thermal_cap *cap,
+                                 const struct um_thermal_half *half, size_t lane,
+                                 struct um_thermal_block *out);
 
 /* Free shares [1] of the cap: of what the Earth reflects, of what it emits, and of its solid angle
  * times cosine; 1 where nothing of it lies before the surface. */
@@ -84,7 +93,7 @@ struct um_thermal_shares {
   double moved_albedo[UM_ANGULAR_MOMENTS], moved_planet[UM_ANGULAR_MOMENTS];
 };
 void um_irradiation_cap_shares(const struct um_thermal_half *half,
-                               const struct um_thermal_free *free_of,
+                               const struct um_thermal_block *free_of,
                                struct um_thermal_shares out[UM_IRRADIATION_LANES]);
 /* loads_angles.c: moved_albedo and moved_planet of shares whose others are there; moments of what
  * is free, as `moment_albedo` and `moment_planet` of the half are of all. */

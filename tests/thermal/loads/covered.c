@@ -13,11 +13,13 @@
 
 static struct um_environment environment;
 
-/* The plate is 1 m square; a screen of 4 m square hangs down from its level at x = side [m]. The
- * Sun stands 100 deg from the zenith toward +x. */
-static struct um_irradiation_loads *trace(double side, bool moves, struct help_satellite *s)
+/* The plate is 1 m square, in facets of a size [m]; a screen of 4 m square hangs down from its
+ * level at x = side [m]. The Sun stands 100 deg from the zenith toward +x. */
+static struct um_irradiation_loads *trace(double side, bool moves, double facet,
+                                          struct help_satellite *s)
 {
   help_part(s, "plate", UM_SHAPE_PLATE, "paint");
+  s->shape[0].facet_size = facet;
   help_part(s, "screen", UM_SHAPE_PLATE, "paint");
   s->shape[1].size[0] = s->shape[1].size[1] = 4.0;
   s->shape[1].rotation = (struct um_quat){sqrt(0.5), 0.0, sqrt(0.5), 0.0};
@@ -63,8 +65,8 @@ static void view_factor_is_that_of_the_heat(void **state)
   for (int moves = 0; moves < 2; moves++) {
     struct help_satellite s[2];
     memset(s, 0, sizeof s);
-    struct um_irradiation_loads *dark = trace(-1.0, moves == 1, &s[0]);
-    struct um_irradiation_loads *lit = trace(1.0, moves == 1, &s[1]);
+    struct um_irradiation_loads *dark = trace(-1.0, moves == 1, 0.0, &s[0]);
+    struct um_irradiation_loads *lit = trace(1.0, moves == 1, 0.0, &s[1]);
     struct um_irradiation_loads *both[2] = {dark, lit};
     for (int k = 0; k < 2; k++)
       for (size_t i = 0; i < both[k]->nsurface; i++)
@@ -82,6 +84,32 @@ static void view_factor_is_that_of_the_heat(void **state)
       help_end(&s[k]);
     }
   }
+}
+
+/* Facets of one normal are looked at side by side, and each takes what is its own: the nearer to
+ * the screen, the less. */
+static void facets_side_by_side(void **state)
+{
+  (void)state;
+  struct help_satellite s = {0};
+  struct um_irradiation_loads *loads = trace(0.6, false, 0.35, &s);
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(s.geometry);
+  struct um_geometry_pose *pose = NULL;
+  double x[256], heat[256];
+  size_t n = 0;
+  OK(um_geometry_pose_create(help_context, s.geometry, NULL, &pose));
+  for (size_t i = 0; i < mesh->nsurface && n < 256; i++) {
+    if (mesh->surface[i].part != 0 || mesh->surface[i].back) continue;
+    const uint32_t *c = mesh->corner[mesh->surface[i].facet];
+    x[n] = (pose->vertex[c[0]].x + pose->vertex[c[1]].x + pose->vertex[c[2]].x) / 3.0;
+    heat[n++] = (double)loads->planet[i];
+  }
+  assert_true(n > 16);
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < n; j++) assert_true(x[j] < x[i] + 0.15 || heat[j] < heat[i]);
+  um_geometry_pose_destroy(help_context, &pose);
+  um_irradiation_loads_destroy(help_context, &loads);
+  help_end(&s);
 }
 
 /* A plate stands nearly upright before the Earth, which it sees half of, along no axis, under a
@@ -139,9 +167,9 @@ static void dark_earth(void **state)
   (void)state;
   struct help_satellite s = {0}, dark = {0};
   struct um_environment shining = environment;
-  struct um_irradiation_loads *lit = trace(0.6, false, &s);
+  struct um_irradiation_loads *lit = trace(0.6, false, 0.0, &s);
   environment.albedo = environment.outgoing_longwave = environment.brightness_temperature = 0.0;
-  struct um_irradiation_loads *unlit = trace(0.6, false, &dark);
+  struct um_irradiation_loads *unlit = trace(0.6, false, 0.0, &dark);
   environment = shining;
   for (size_t i = 0; i < lit->nsurface; i++) {
     assert_true(unlit->sun[i] == lit->sun[i] && unlit->incidence[i] == lit->incidence[i]);
@@ -164,8 +192,8 @@ static int setup(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(view_factor_is_that_of_the_heat),
-                                     cmocka_unit_test(a_roof_hides_no_earth),
-                                     cmocka_unit_test(dark_earth)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(view_factor_is_that_of_the_heat), cmocka_unit_test(facets_side_by_side),
+      cmocka_unit_test(a_roof_hides_no_earth), cmocka_unit_test(dark_earth)};
   return cmocka_run_group_tests(tests, setup, help_teardown);
 }
