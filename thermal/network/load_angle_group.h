@@ -6,7 +6,7 @@
 #include "thermal/network/network.h"
 
 /* Absorptance of the direct sunlight at entry `at`, row * nsurface + surface, of the table, over
- * that at normal incidence [1]; over a turn its mean by what falls in. */
+ * that at normal incidence [1]; over a turn its mean by what falls in; where none falls in, any. */
 double um_thermal_load_angle(const struct um_thermal_surface_law *law,
                              const struct um_irradiation_loads *loads, size_t at);
 /* What the surface absorbs at that entry of the albedo and of the Earth's own radiation [W/m^2]:
