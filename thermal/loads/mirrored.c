@@ -30,6 +30,7 @@ struct slot {
   struct um_geometry_ray *ray; /* all [nray] */
   struct um_geometry_hit *hit;
   struct um_geometry_mirrored_path *path; /* tag: number of the ray */
+  struct um_vec3 *on;                     /* its direction behind the mirror */
   uint32_t *from;                         /* patch that it left */
   double *weight;                         /* [m^2] */
   double *lit;                            /* [npatch] sum of weights */
@@ -99,6 +100,7 @@ static enum um_status prepare(struct tracer *t, size_t points)
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->ray, &s->ray));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->hit, &s->hit));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->path, &s->path));
+    UM_TRY(um_core_allocate(context, t->nray, sizeof *s->on, &s->on));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->from, &s->from));
     UM_TRY(um_core_allocate(context, t->nray, sizeof *s->weight, &s->weight));
     UM_TRY(um_core_allocate(context, t->patches->npatch, sizeof *s->lit, &s->lit));
@@ -143,13 +145,12 @@ static void closest(struct slot *s)
                                    s->hit + k);
 }
 
-/* Points of surface i from which the Sun is seen, as rays that a mirror has turned; new points in
- * every row. */
+/* Rays toward the Sun from points of surface i, and where they come from when it has turned them;
+ * new points in every row. */
 static void surface_begin(const struct tracer *t, size_t i, size_t row, struct um_vec3 sun,
                           struct slot *s)
 {
   uint32_t surface = t->surface[i], facet = t->mesh->surface[surface].facet;
-  uint32_t patch = t->patches->patch[surface];
   struct um_vec3 normal = um_geometry_surface_normal(t->mesh, s->pose, surface);
   double cosine = um_vec3_dot(normal, sun);
   if (!(cosine > 0.0)) return;
@@ -158,25 +159,37 @@ static void surface_begin(const struct tracer *t, size_t i, size_t row, struct u
   struct um_vec3 ac = um_vec3_sub(s->pose->vertex[c[2]], a);
   struct um_vec3 on = um_vec3_unit(um_vec3_axpy(um_vec3_scale(sun, -1.0), 2.0 * cosine, normal));
   double weight = cosine * t->mesh->area[facet] / (double)t->count[i];
-  struct um_geometry_ray toward[BUNDLE];
+  uint64_t key = um_core_hash(KEY, surface);
+  for (size_t k = 0; k < t->count[i]; k++) {
+    double u[2], w[3];
+    um_core_sample_2d(key, row * t->count[i] + k, u);
+    um_core_sample_triangle(u, w);
+    s->ray[s->n] = (struct um_geometry_ray){um_vec3_axpy(um_vec3_axpy(a, w[1], ab), w[2], ac), sun,
+                                            INFINITY, facet};
+    s->on[s->n] = on;
+    s->from[s->n] = t->patches->patch[surface];
+    s->weight[s->n++] = weight;
+  }
+}
+
+/* Of these, the points from which the Sun is seen, as rays that a mirror has turned. */
+static void rays_turn(struct slot *s)
+{
   uint8_t occluded[BUNDLE];
-  for (size_t begin = 0; begin < t->count[i]; begin += BUNDLE) {
-    size_t n = t->count[i] - begin < BUNDLE ? t->count[i] - begin : BUNDLE;
-    for (size_t k = 0; k < n; k++) {
-      double u[2], w[3];
-      um_core_sample_2d(um_core_hash(KEY, surface), row * t->count[i] + begin + k, u);
-      um_core_sample_triangle(u, w);
-      toward[k] = (struct um_geometry_ray){um_vec3_axpy(um_vec3_axpy(a, w[1], ab), w[2], ac), sun,
-                                           INFINITY, facet};
-    }
-    um_geometry_visibility_occluded(s->visibility, toward, n, occluded);
-    for (size_t k = 0; k < n; k++) {
-      if (occluded[k]) continue;
-      s->ray[s->n] = (struct um_geometry_ray){toward[k].origin, on, INFINITY, facet};
+  size_t all = s->n;
+  s->n = 0;
+  for (size_t begin = 0; begin < all; begin += BUNDLE) {
+    size_t n = all - begin < BUNDLE ? all - begin : BUNDLE;
+    um_geometry_visibility_occluded(s->visibility, s->ray + begin, n, occluded);
+    for (size_t i = 0, k = begin; i < n; i++, k++) {
+      if (occluded[i]) continue;
+      s->ray[s->n] = s->ray[k];
+      s->ray[s->n].direction = s->on[k];
       s->path[s->n] = (struct um_geometry_mirrored_path){.tag = (uint32_t)s->n};
-      s->from[s->n] = patch;
-      s->weight[s->n++] = weight;
-      s->lit[patch] += weight;
+      s->from[s->n] = s->from[k];
+      s->weight[s->n] = s->weight[k];
+      s->lit[s->from[k]] += s->weight[k];
+      s->n++;
     }
   }
 }
@@ -198,6 +211,7 @@ static void attitude_begin(const struct tracer *t, size_t row, size_t j, struct 
   if (!s->bright) return;
   struct um_vec3 sun = um_quat_apply(sample.q, sample.sun);
   for (size_t i = 0; i < t->nsurface; i++) surface_begin(t, i, row, sun, s);
+  rays_turn(s);
   closest(s);
 }
 
@@ -307,7 +321,7 @@ static void tracer_free(struct tracer *t)
   for (size_t k = 0; k < BATCH; k++) {
     struct slot *s = &t->slot[k];
     slot_clear(t, s);
-    UM_FREE(t->context, s->ray, s->hit, s->path, s->from, s->weight, s->lit);
+    UM_FREE(t->context, s->ray, s->hit, s->path, s->on, s->from, s->weight, s->lit);
   }
   um_geometry_visibility_destroy(&t->scene);
   um_geometry_pose_destroy(t->context, &t->fixed);
