@@ -16,6 +16,8 @@ struct um_variant_settings {
   const struct um_model_instants *instants; /* when all are looked at; borrowed while the evaluator
                                                lives. NULL: each over its own window */
   struct um_variant_tolerance base;         /* of the scenario as it stands */
+  bool scaled;  /* loads that differ from the scenario's by levels of sunlight and of the Earth
+                   alone are made of those: an answer is off by the last of 24 bits of them */
   bool photons; /* sunlight from mirror to mirror is kept with the scenario's geometry */
   size_t bytes; /* that geometries beside the scenario's may take; 0: UM_VARIANT_BYTES */
 };

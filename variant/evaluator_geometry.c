@@ -42,7 +42,13 @@ static enum um_status trace(struct um_context *context, struct um_variant_evalua
 {
   struct um_model_tables *traced = NULL;
   v->fresh_geometry = true;
-  UM_TRY(um_variant_trace_over(context, e, v->model, e->settings.instants, &traced));
+  if (e->settings.scaled) { /* of the scenario's, whatever was asked for before */
+    UM_TRY(um_variant_base_geometry(context, e));
+    UM_TRY(um_model_precompute_scaled(context, e->model, e->tables, v->model, e->settings.instants,
+                                      &traced));
+  }
+  if (traced == NULL)
+    UM_TRY(um_variant_trace_over(context, e, v->model, e->settings.instants, &traced));
   enum um_status status =
       um_variant_cache_add(context, &e->cache, key, nkey, &v->own_model, &traced, &v->kept);
   um_model_tables_destroy(context, &traced);

@@ -323,8 +323,10 @@ static enum um_status first_run(struct um_context *context, struct um_sensitivit
 static enum um_status first_evaluation(struct um_context *context, struct um_sensitivity_forward *f)
 {
   struct um_sensitivity_forward_cache *cache = f->cache;
-  const struct um_variant_settings settings = {
-      .instants = &f->instants, .base = um_sensitivity_forward_heat(f).tolerance, .photons = true};
+  const struct um_variant_settings settings = {.instants = &f->instants,
+                                               .base = um_sensitivity_forward_heat(f).tolerance,
+                                               .scaled = true,
+                                               .photons = true};
   struct um_model_result *result = NULL;
   enum um_status status;
   double begin = omp_get_wtime();

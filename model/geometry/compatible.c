@@ -64,18 +64,42 @@ static bool same_air(const struct um_environment *a, const struct um_environment
           same_limb(a->limb, b->limb));
 }
 
-/* Members of the environment that are not here act behind the geometry tables: each has its line in
- * tests/model/geometry/compatible.c, which does not compile where one has none. */
-bool um_model_light_is_compatible(const struct um_model *made, const struct um_model *model)
+/* The same light but for its levels. Members of the environment that are neither here nor levels
+ * act behind the geometry tables: each has its line in tests/model/geometry/compatible.c, which
+ * does not compile where one has none. */
+static bool same_but_levels(const struct um_model *made, const struct um_model *model)
 {
   const struct um_environment *a = &made->environment, *b = &model->environment;
-  return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
-         a->outgoing_longwave == b->outgoing_longwave && a->earth_radius == b->earth_radius &&
-         a->shadow == b->shadow && a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
+  return a->earth_radius == b->earth_radius && a->shadow == b->shadow &&
+         a->shadow_radius == b->shadow_radius && a->disc == b->disc &&
          a->limb_darkening == b->limb_darkening && a->moonlight_on == b->moonlight_on &&
          a->gas_density_factor == b->gas_density_factor && same_air(a, b) && same_earth(a, b) &&
          (a->specular_exchange_on || !b->specular_exchange_on) && /* paths by mirrors are there */
          (um_model_loads_by_angle(made) || !um_model_loads_by_angle(model)); /* moments are */
+}
+
+bool um_model_light_is_compatible(const struct um_model *made, const struct um_model *model)
+{
+  const struct um_environment *a = &made->environment, *b = &model->environment;
+  return a->solar_irradiance == b->solar_irradiance && a->albedo == b->albedo &&
+         a->outgoing_longwave == b->outgoing_longwave && same_but_levels(made, model);
+}
+
+/* By how much the light of two models differs, if by nothing else. Of an Earth that differs from
+ * place to place, by the Sun alone. */
+static bool levels_find(const struct um_model *made, const struct um_model *model,
+                        struct um_irradiation_levels *out)
+{
+  const struct um_environment *a = &made->environment, *b = &model->environment;
+  bool same_places = a->albedo == b->albedo && a->outgoing_longwave == b->outgoing_longwave;
+  bool varies = um_environment_earth_varies(a) || um_environment_earth_varies(b);
+  if (!same_but_levels(made, model) || (varies && !same_places) || !(a->solar_irradiance > 0.0) ||
+      !(a->albedo > 0.0) || !(a->outgoing_longwave > 0.0))
+    return false;
+  out->irradiance = b->solar_irradiance / a->solar_irradiance;
+  out->albedo = out->irradiance * (b->albedo / a->albedo);
+  out->planet = b->outgoing_longwave / a->outgoing_longwave;
+  return true;
 }
 
 /* --- times and places ------------------------------------------------------------------------ */
@@ -200,19 +224,39 @@ enum um_status um_model_body_is_compatible(struct um_context *context, const str
   return *out ? um_model_mirror_classes_are_compatible(context, made, model, out) : UM_OK;
 }
 
+/* The same body, times and places. */
+static enum um_status same_but_light(struct um_context *context, const struct um_model *made,
+                                     const struct um_model_tables *tables,
+                                     const struct um_model_instants *instants,
+                                     const struct um_model *model, bool *out)
+{
+  *out = made->points == model->points && made->has_observer == model->has_observer &&
+         um_geometry_equal(made->geometry, model->geometry) && options_equal(made, model);
+  if (*out && model->points) return same_points(context, tables, instants, model, out);
+  if (*out) UM_TRY(um_model_mirror_classes_are_compatible(context, made, model, out));
+  if (*out) UM_TRY(same_times(context, tables, instants, model, out));
+  if (*out) UM_TRY(same_scene(context, tables, model, out));
+  return UM_OK;
+}
+
 enum um_status um_model_tables_are_compatible(struct um_context *context,
                                               const struct um_model *made,
                                               const struct um_model_tables *tables,
                                               const struct um_model_instants *instants,
                                               const struct um_model *model, bool *out)
 {
-  *out = made->points == model->points && made->has_observer == model->has_observer &&
-         um_geometry_equal(made->geometry, model->geometry) && options_equal(made, model) &&
-         sampling_is_compatible(tables, instants, model) &&
-         um_model_light_is_compatible(made, model);
-  if (*out && model->points) return same_points(context, tables, instants, model, out);
-  if (*out) UM_TRY(um_model_mirror_classes_are_compatible(context, made, model, out));
-  if (*out) UM_TRY(same_times(context, tables, instants, model, out));
-  if (*out) UM_TRY(same_scene(context, tables, model, out));
-  return UM_OK;
+  *out =
+      sampling_is_compatible(tables, instants, model) && um_model_light_is_compatible(made, model);
+  return *out ? same_but_light(context, made, tables, instants, model, out) : UM_OK;
+}
+
+enum um_status um_model_loads_are_proportional(struct um_context *context,
+                                               const struct um_model *made,
+                                               const struct um_model_tables *tables,
+                                               const struct um_model_instants *instants,
+                                               const struct um_model *model,
+                                               struct um_irradiation_levels *levels, bool *out)
+{
+  *out = !model->points && levels_find(made, model, levels);
+  return *out ? same_but_light(context, made, tables, instants, model, out) : UM_OK;
 }

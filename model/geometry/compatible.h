@@ -23,6 +23,16 @@ enum um_status um_model_tables_are_compatible(struct um_context *context,
                                               const struct um_model_instants *instants,
                                               const struct um_model *model, bool *out);
 
+/* *out: are loads of `model` over `instants` those of `tables` by other levels alone, of sunlight
+ * and of a uniform Earth? All else is compared as there, but for lines of sight. Errors as of
+ * um_model_tables_are_compatible. */
+enum um_status um_model_loads_are_proportional(struct um_context *context,
+                                               const struct um_model *made,
+                                               const struct um_model_tables *tables,
+                                               const struct um_model_instants *instants,
+                                               const struct um_model *model,
+                                               struct um_irradiation_levels *levels, bool *out);
+
 /* *out: are tables of the body (body_tables.h) traced of `made` those of `model`, number for
  * number? By comparing what both are built of: surfaces, mirrors, rooms, numbers of rays and files.
  * Not where joints move, since those are tables of times. Errors of um_geometry_mirrors_create.

@@ -52,6 +52,15 @@ enum um_status um_model_precompute_like(struct um_context *context, const struct
                                         const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_tables **out);
+/* The same, traced by nobody, where the loads of `like`, traced of `made`, are in proportion to
+ * those of the model (um_model_loads_are_proportional); else *out is NULL. Loads are those of
+ * um_model_precompute_over but for the last of 24 bits (means over turns: of each summand), all
+ * else is number for number. Test: unit_model_precompute_like. */
+enum um_status um_model_precompute_scaled(struct um_context *context, const struct um_model *made,
+                                          const struct um_model_tables *like,
+                                          const struct um_model *model,
+                                          const struct um_model_instants *instants,
+                                          struct um_model_tables **out);
 /* Memory that it takes, but for some per cent, tables of the body included [bytes]. */
 size_t um_model_tables_bytes(const struct um_model_tables *tables);
 /* Look again: lines of sight of the geometry tables with another number of points per

@@ -196,6 +196,36 @@ static void the_bound_holds(void **state)
   um_variant_evaluator_destroy(context, &own);
 }
 
+/* Loads of another level are made of the scenario's, not traced. */
+static void levels_are_scaled(void **state)
+{
+  (void)state;
+  struct change c;
+  const struct um_model_changes changes = effect(&c, "solar_irradiance", NULL, 1.1);
+  struct um_variant v[2], base;
+  struct um_variant_evaluator *own[2];
+  for (int i = 0; i < 2; i++) {
+    const struct um_variant_settings settings = {.base = TIGHT, .scaled = i == 1};
+    need(um_variant_evaluator_create(context, model, &settings, &own[i]));
+    need(um_variant_open(context, own[i], &changes, NULL, &v[i]));
+    assert_true(v[i].fresh_geometry);
+  }
+  need(um_variant_base(context, own[1], &base));
+  const struct um_irradiation_loads *traced = v[0].tables->loads, *scaled = v[1].tables->loads;
+  const struct um_irradiation_loads *from = base.tables->loads;
+  double by = v[1].model->environment.solar_irradiance / base.model->environment.solar_irradiance;
+  size_t differ = 0, n = traced->ntime * traced->nsurface;
+  assert_close(by, 1.1, 1e-12);
+  for (size_t i = 0; i < n; i++) {
+    if (scaled->albedo[i] != (float)(by * (double)from->albedo[i])) fail_msg("entry %zu", i);
+    assert_close((double)scaled->albedo[i], (double)traced->albedo[i], 1e-4);
+    differ += scaled->albedo[i] != traced->albedo[i];
+  }
+  assert_true(differ > 0 && differ < n); /* in the last bit */
+  for (int i = 0; i < 2; i++) um_variant_close(context, &v[i]);
+  for (int i = 0; i < 2; i++) um_variant_evaluator_destroy(context, &own[i]);
+}
+
 #define NCHANGE 6
 
 struct seen {
@@ -270,6 +300,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(only_what_changes_is_computed, set_up, tear_down),
       cmocka_unit_test_setup_teardown(cold_is_a_run_of_its_own, set_up, tear_down),
       cmocka_unit_test_setup_teardown(the_bound_holds, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(levels_are_scaled, set_up, tear_down),
       cmocka_unit_test_setup_teardown(many_are_as_one_by_one, set_up, tear_down)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -98,6 +98,18 @@ enum um_status um_irradiation_loads_between(struct um_context *context,
                                             const struct um_irradiation_loads *loads,
                                             const double *times, size_t n,
                                             struct um_irradiation_loads **out);
+/* How much stronger the Sun and the Earth shine. */
+struct um_irradiation_levels {
+  double irradiance, albedo, planet; /* of direct sunlight, of what the Earth reflects, of its own
+                                        radiation [1] */
+};
+/* The same table with these loads, in which it is linear: what would be traced, but for the last of
+ * 24 bits. UM_ERR_MEMORY. The caller destroys.
+ * Test: model/geometry/scaled. */
+enum um_status um_irradiation_loads_scaled(struct um_context *context,
+                                           const struct um_irradiation_loads *loads,
+                                           const struct um_irradiation_levels *by,
+                                           struct um_irradiation_loads **out);
 void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads);
 
 #endif

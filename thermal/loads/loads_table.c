@@ -1,7 +1,8 @@
 /* Storage of a table of incident loads; loads.c fills it by rays. */
-#include "thermal/loads/loads_impl.h"
+#include <string.h>
 
 #include "base/core/interpolation.h"
+#include "thermal/loads/loads_impl.h"
 
 enum um_status um_irradiation_loads_create(struct um_context *context, size_t ntime,
                                            size_t nsurface, size_t nedge,
@@ -62,6 +63,7 @@ static enum um_status columns_like(struct um_context *context,
     size_t width;
   } column[] = {{from->brightness, &l->brightness, 1},
                 {from->gas, &l->gas, 1},
+                {from->by_cosine, &l->by_cosine, UM_IRRADIATION_COSINES},
                 {from->albedo_moments, &l->albedo_moments, UM_ANGULAR_MOMENTS},
                 {from->planet_moments, &l->planet_moments, UM_ANGULAR_MOMENTS}};
   for (size_t i = 0; i < sizeof column / sizeof *column; i++)
@@ -116,6 +118,43 @@ enum um_status um_irradiation_loads_between(struct um_context *context,
   if (status != UM_OK) um_irradiation_loads_destroy(context, &l);
   *out = l;
   return status;
+}
+
+static void scale(const float *from, double by, size_t n, float *to)
+{
+  for (size_t i = 0; to != NULL && i < n; i++) to[i] = (float)((double)from[i] * by);
+}
+
+enum um_status um_irradiation_loads_scaled(struct um_context *context,
+                                           const struct um_irradiation_loads *loads,
+                                           const struct um_irradiation_levels *by,
+                                           struct um_irradiation_loads **out)
+{
+  struct um_irradiation_loads *l = NULL;
+  size_t n = loads->ntime * loads->nsurface;
+  *out = NULL;
+  UM_TRY(um_irradiation_loads_create(context, loads->ntime, loads->nsurface, loads->nedge, &l));
+  enum um_status status = columns_like(context, loads, l);
+  if (status != UM_OK) {
+    um_irradiation_loads_destroy(context, &l);
+    return status;
+  }
+  memcpy(l->t, loads->t, l->ntime * sizeof *l->t);
+  memcpy(l->sunlit, loads->sunlit, l->ntime * sizeof *l->sunlit);
+  if (l->nedge > 0) memcpy(l->edge, loads->edge, l->nedge * sizeof *l->edge);
+  for (size_t k = 0; k < l->ntime; k++) l->irradiance[k] = loads->irradiance[k] * by->irradiance;
+  scale(loads->sun, 1.0, n, l->sun);
+  scale(loads->incidence, 1.0, n, l->incidence);
+  scale(loads->by_cosine, 1.0, n * UM_IRRADIATION_COSINES, l->by_cosine);
+  scale(loads->view_factor, 1.0, n, l->view_factor);
+  scale(loads->brightness, 1.0, n, l->brightness);
+  scale(loads->gas, 1.0, n, l->gas);
+  scale(loads->albedo, by->albedo, n, l->albedo);
+  scale(loads->planet, by->planet, n, l->planet);
+  scale(loads->albedo_moments, by->albedo, n * UM_ANGULAR_MOMENTS, l->albedo_moments);
+  scale(loads->planet_moments, by->planet, n * UM_ANGULAR_MOMENTS, l->planet_moments);
+  *out = l;
+  return UM_OK;
 }
 
 void um_irradiation_loads_destroy(struct um_context *context, struct um_irradiation_loads **loads)

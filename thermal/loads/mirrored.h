@@ -42,6 +42,12 @@ enum um_status um_irradiation_mirrored_trace(
     const struct um_irradiation_loads *loads, const struct um_geometry_patches *patches,
     const struct um_geometry_mirrors *mirrors,
     const struct um_irradiation_mirrored_options *options, struct um_irradiation_mirrored **out);
+/* The same with an Earth of other levels, as um_irradiation_loads_scaled. UM_ERR_MEMORY. The caller
+ * destroys. */
+enum um_status um_irradiation_mirrored_scaled(struct um_context *context,
+                                              const struct um_irradiation_mirrored *mirrored,
+                                              const struct um_irradiation_levels *by,
+                                              struct um_irradiation_mirrored **out);
 void um_irradiation_mirrored_destroy(struct um_context *context,
                                      struct um_irradiation_mirrored **mirrored);
 

