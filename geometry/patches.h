@@ -5,8 +5,8 @@
 
 #include "geometry/geometry.h"
 
-/* More than this are refused: their exchange is a full matrix. */
-#define UM_GEOMETRY_PATCHES_MAX 4096
+/* More than this are refused: their exchange may be a full matrix. */
+#define UM_GEOMETRY_PATCHES_MAX 8192
 
 struct um_geometry_patches {
   size_t nsurface, npatch;

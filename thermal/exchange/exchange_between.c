@@ -7,11 +7,6 @@
 #include "thermal/network/network_group.h"
 #include "thermal/network/surface_aging_group.h"
 
-/* Of what a patch emits, in small exchange areas: below 10 mK at 300 K [1]; and in Newton's matrix,
- * whose iteration converges by so much a round. */
-#define LEFT_OUT        1e-4
-#define LEFT_OUT_STRONG 0.03
-
 /* What infrared of the satellite itself meets at surface s, once it is known what arrives there. */
 static double emittance_of(const struct um_thermal_exchange_maker *m, size_t s)
 {
@@ -38,89 +33,18 @@ void um_thermal_exchange_take_emittances(struct um_thermal_exchange_maker *m, do
 /* Room for what both bands need. */
 enum um_status um_thermal_exchange_maker_create(struct um_thermal_exchange_maker *m)
 {
-  size_t n = m->out->npatch, largest = m->table->noutside; /* of the outside, or of a room */
-  for (size_t k = 0; k < m->table->nroom; k++)
-    if (m->table->room[k].factors->npatch > largest) largest = m->table->room[k].factors->npatch;
+  size_t n = m->out->npatch;
   double **const of_patch[5] = {&m->emittance, &m->reflectance, &m->absorbed, &m->mirror, &m->open};
   for (int k = 0; k < 5; k++) UM_TRY(um_core_allocate(m->context, n, sizeof(double), of_patch[k]));
   size_t nclass = m->table->mirrors != NULL ? m->table->mirrors->nclass : 0;
-  UM_TRY(um_core_allocate(m->context, nclass, sizeof *m->of_class, &m->of_class));
-  return um_core_allocate(m->context, largest * largest, sizeof *m->b, &m->b);
-}
-
-/* Of patches p and q of those in hand. */
-static double area_between(const struct um_thermal_exchange_maker *m, size_t p, size_t q)
-{
-  return m->b[p * m->n + q] * (m->absorbed[p] * m->absorbed[q]);
-}
-
-/* Exchange areas of patch p below which all together are left_out of its emission [m^2]: the
- * largest of a few. */
-static double small_of(const struct um_thermal_exchange_maker *m, double left_out, size_t p)
-{
-  double emitted = m->emittance[m->first + p] * m->out->area[m->first + p];
-  for (double limit = 0.1 * emitted; limit > 1e-12 * emitted; limit *= 0.25) {
-    double sum = 0.0;
-    for (size_t q = 0; q < m->n; q++) {
-      double g = area_between(m, p, q);
-      if (q != p && g < limit) sum += g;
-    }
-    if (sum <= left_out * emitted) return limit;
-  }
-  return 0.0;
-}
-
-/* Row p of those in hand into `between`, or with between->other NULL only its end. small [n]. */
-static void keep_row(const struct um_thermal_exchange_maker *m, const double *small, size_t p,
-                     struct um_thermal_between *between)
-{
-  size_t row = m->first + p, at = between->begin[row], own = at;
-  double rest = 0.0;
-  for (size_t q = 0; q < m->n; q++) {
-    double g = area_between(m, p, q);
-    if (q != p && g < fmin(small[p], small[q])) {
-      rest += g;
-      continue;
-    }
-    if (q == p) own = at;
-    if (between->other != NULL) {
-      between->other[at] = (uint32_t)(m->first + q);
-      between->area[at] = g;
-    }
-    at++;
-  }
-  if (between->other != NULL) between->area[own] += rest;
-  between->begin[row + 1] = at;
-}
-
-/* Rows of eps B eps without what is small for both patches: that is taken to come back to where it
- * left, which keeps sums of rows and symmetry, and is nothing in a room of one temperature. */
-static enum um_status keep_between(struct um_thermal_exchange_maker *m, double left_out,
-                                   struct um_thermal_between *between)
-{
-  size_t all = m->first + m->n;
-  double *small = m->reflectance; /* [n], free until the next band */
-  for (size_t p = 0; p < m->n; p++) small[p] = small_of(m, left_out, p);
-  if (between->begin == NULL) /* rows of a room's first patch begin where nothing is */
-    UM_TRY(
-        um_core_allocate(m->context, m->out->npatch + 1, sizeof *between->begin, &between->begin));
-  uint32_t *other = between->other;
-  between->other = NULL; /* ends first */
-  for (size_t p = 0; p < m->n; p++) keep_row(m, small, p, between);
-  between->other = other;
-  size_t nentry = between->begin[all];
-  UM_TRY(um_core_reallocate(m->context, nentry, sizeof *between->area, &between->area));
-  UM_TRY(um_core_reallocate(m->context, nentry, sizeof *between->other, &between->other));
-  for (size_t p = 0; p < m->n; p++) keep_row(m, small, p, between);
-  return UM_OK;
+  return um_core_allocate(m->context, nclass, sizeof *m->of_class, &m->of_class);
 }
 
 enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_maker *m, size_t pose)
 {
   struct um_thermal_exchange *x = m->out;
   UM_TRY(um_thermal_exchange_make_pose(m, pose, m->emittance, m->lobe_infrared));
-  UM_TRY(keep_between(m, LEFT_OUT, &x->between[pose]));
-  return keep_between(m, LEFT_OUT_STRONG, &x->strong[pose]);
+  return um_thermal_exchange_keep(m, &x->between[pose], &x->strong[pose]);
 }
 
 /* Rooms one after the other in the same rows: no sunlight, no Earth, no pose. */
@@ -130,8 +54,7 @@ enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker 
   for (size_t k = 0; k < m->table->nroom; k++) {
     const struct um_geometry_room *room = &m->table->room[k];
     UM_TRY(um_thermal_exchange_make_reflections(m, room->factors, room->first, m->emittance));
-    UM_TRY(keep_between(m, LEFT_OUT, &x->between[x->npose]));
-    UM_TRY(keep_between(m, LEFT_OUT_STRONG, &x->strong[x->npose]));
+    UM_TRY(um_thermal_exchange_keep(m, &x->between[x->npose], &x->strong[x->npose]));
   }
   return UM_OK;
 }
@@ -139,7 +62,9 @@ enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker 
 void um_thermal_exchange_maker_destroy(struct um_thermal_exchange_maker *m)
 {
   UM_FREE(m->context, m->emittance, m->planet, m->absorptance, m->reflectance, m->absorbed,
-          m->mirror, m->of_class, m->open, m->b);
+          m->mirror, m->of_class, m->open);
+  um_thermal_reflections_destroy(m->context, &m->reflections);
+  um_geometry_view_factors_destroy(m->context, &m->mirrored_factors);
 }
 
 void um_thermal_between_clear(struct um_context *context, struct um_thermal_between *between,

@@ -72,10 +72,4 @@ static inline double um_thermal_reflected_at(const struct um_thermal_exchange *e
   return table[row * exchange->npatch + exchange->patch[s]];
 }
 
-/* B of exchange.h [npatch][npatch] for one pose and reflectance [npatch]; reflections.c. area: row
- * sums of the factors [m^2]. */
-enum um_status um_thermal_reflections(struct um_context *context,
-                                      const struct um_geometry_view_factors *factors,
-                                      const double *area, const double *reflectance, double *b);
-
 #endif

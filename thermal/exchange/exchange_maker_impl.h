@@ -3,6 +3,7 @@
 #define UMBRA_THERMAL_EXCHANGE_MAKER_IMPL_H
 
 #include "geometry/view_factor_table.h"
+#include "thermal/exchange/reflections_impl.h"
 #include "thermal/loads/mirrored.h"
 #include "thermal/network/surface_reflectance_group.h"
 
@@ -30,8 +31,9 @@ struct um_thermal_exchange_maker {
   double *mirror;      /* [npatch] rho [1] */
   double *of_class;    /* [class of the table's mirrors] rho [1] */
   double *open;        /* [npatch] (1 - rho) A [m^2] */
-  double *b;           /* [n][n] of pose, or room, and band in hand [m^2] */
-  size_t first, n;     /* patches in hand */
+  struct um_thermal_reflections *reflections;        /* B of pose, or room, and band in hand */
+  struct um_geometry_view_factors *mirrored_factors; /* that it borrows; NULL: the table's */
+  size_t first, n;                                   /* patches in hand */
   struct um_thermal_exchange *out;
 };
 
@@ -51,6 +53,11 @@ enum um_status um_thermal_exchange_make_pose(struct um_thermal_exchange_maker *m
 /* Total exchange areas in a pose, whose B is then in hand; of the rooms. */
 enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_maker *m, size_t pose);
 enum um_status um_thermal_exchange_make_inside(struct um_thermal_exchange_maker *m);
+/* Of B in hand: eps B eps behind the rows that `between` and `strong` have, without what is small;
+ * exchange_keep.c. */
+enum um_status um_thermal_exchange_keep(struct um_thermal_exchange_maker *m,
+                                        struct um_thermal_between *between,
+                                        struct um_thermal_between *strong);
 /* What the pose in hand adds to that load of all rows, out [ntime][npatch]: what arrives by way of
  * mirrors and reflections; exchange_reflect.c. */
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,

@@ -51,20 +51,22 @@ enum um_status um_thermal_exchange_make_reflections(struct um_thermal_exchange_m
                                                     size_t first, const double *absorbed)
 {
   take(m, factors, first, absorbed, NULL);
-  return um_thermal_reflections(m->context, factors, m->open, m->reflectance, m->b);
+  um_thermal_reflections_destroy(m->context, &m->reflections);
+  return um_thermal_reflections_create(m->context, factors, m->open, m->reflectance,
+                                       &m->reflections);
 }
 
 enum um_status um_thermal_exchange_make_pose(struct um_thermal_exchange_maker *m, size_t pose,
                                              const double *absorbed, const double *lobe)
 {
   const struct um_geometry_view_factors *factors = m->table->pose[pose];
-  struct um_geometry_view_factors *mirrored = NULL;
   if (lobe == NULL) return um_thermal_exchange_make_reflections(m, factors, 0, absorbed);
   take(m, factors, 0, absorbed, lobe);
+  um_thermal_reflections_destroy(m->context, &m->reflections);
+  um_geometry_view_factors_destroy(m->context, &m->mirrored_factors);
   UM_TRY(um_geometry_view_factors_mirrored(m->context, factors, m->table->mirrored[pose],
-                                           m->out->area, m->of_class, m->mirror, &mirrored));
-  enum um_status status =
-      um_thermal_reflections(m->context, mirrored, m->open, m->reflectance, m->b);
-  um_geometry_view_factors_destroy(m->context, &mirrored);
-  return status;
+                                           m->out->area, m->of_class, m->mirror,
+                                           &m->mirrored_factors));
+  return um_thermal_reflections_create(m->context, m->mirrored_factors, m->open, m->reflectance,
+                                       &m->reflections);
 }

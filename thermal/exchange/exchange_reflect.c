@@ -147,9 +147,8 @@ static bool take_row(const struct um_thermal_exchange_maker *m, const struct mir
   return true;
 }
 
-/* Rows of the loads that go through B together: it is read once for them, and their sums, each in
- * the order of the patches, are side by side in the processor. */
-#define TOGETHER 8
+/* Rows of the loads that go through B together. */
+#define TOGETHER UM_THERMAL_TOGETHER
 struct rows {
   size_t n, row[TOGETHER];
   double weight[TOGETHER];
@@ -188,51 +187,32 @@ static void take_mirrored_sky(const struct um_thermal_exchange_maker *m,
   }
 }
 
-/* sum[TOGETHER]: of b[q] times what the lit patches reflect, q through lit[nlit]. */
-UM_WIDE_VECTORS static void gather(const double *b, const uint32_t *lit, size_t nlit,
-                                   const double *reflected, double *sum)
+/* out[row] += w A'^-1 B (scattered) of each; sums [noutside][TOGETHER]. */
+static bool spread_rows(const struct um_thermal_exchange_maker *m, const struct rows *rows,
+                        double *sums, double *scratch, double *out)
 {
-  for (size_t k = 0; k < TOGETHER; k++) sum[k] = 0.0;
-  for (size_t j = 0; j < nlit; j++) {
-    double share = b[lit[j]];
-    for (size_t k = 0; k < TOGETHER; k++) sum[k] += share * reflected[j * TOGETHER + k];
-  }
-}
-
-/* out[row] += w A'^-1 B (scattered) of each. lit: scratch [noutside]; sums: [noutside][TOGETHER],
- * row by row added to what is far apart. */
-static void spread_rows(const struct um_thermal_exchange_maker *m, const struct rows *rows,
-                        uint32_t *lit, double *sums, double *out)
-{
-  size_t n = m->table->noutside, stride = m->table->patches->npatch, nlit = 0;
-  for (size_t q = 0; q < n && rows->n > 0; q++) {
-    const double *of = rows->reflected + q * TOGETHER;
-    bool any = false;
-    for (size_t k = 0; k < TOGETHER; k++) any = any || of[k] != 0.0;
-    if (!any) continue;
-    memmove(rows->reflected + nlit * TOGETHER, of, TOGETHER * sizeof *of);
-    lit[nlit++] = (uint32_t)q;
-  }
-  if (nlit == 0) return;
-  for (size_t p = 0; p < n; p++)
-    gather(m->b + p * n, lit, nlit, rows->reflected, sums + p * TOGETHER);
+  size_t n = m->table->noutside, stride = m->table->patches->npatch;
+  if (rows->n == 0) return true;
+  if (!um_thermal_reflections_apply(m->reflections, rows->reflected, scratch, sums)) return false;
   for (size_t k = 0; k < rows->n; k++) {
     double *row = out + rows->row[k] * stride, weight = rows->weight[k];
     for (size_t p = 0; p < n; p++) row[p] += weight * sums[p * TOGETHER + k] / m->open[p];
   }
+  return true;
 }
 
-/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [SCRATCH noutside], and
- * the sky. */
-#define SCRATCH (3 * TOGETHER + 2)
-static void reflect_rows(const struct um_thermal_exchange_maker *m,
+/* Rows first, first + 1, .. of one load, TOGETHER of them at most. scratch: [SCRATCH noutside], the
+ * sky, and what reflections want. false: they find no end. */
+#define SCRATCH (3 * TOGETHER + 1)
+static bool reflect_rows(const struct um_thermal_exchange_maker *m,
                          const struct mirrored_incident *a, size_t first, size_t pose,
                          enum um_thermal_load load, double *scratch, double *out)
 {
   size_t n = m->table->noutside;
   struct rows rows = {.reflected = scratch};
   double *arriving = scratch + TOGETHER * n, *sums = arriving + TOGETHER * n,
-         *reflected = sums + TOGETHER * n, *lit = reflected + n, *sky = lit + n;
+         *reflected = sums + TOGETHER * n, *sky = reflected + n,
+         *rest = sky + UM_GEOMETRY_SKY_CELLS * TOGETHER;
   memset(scratch, 0, TOGETHER * n * sizeof *scratch);
   if (a != NULL && load != UM_THERMAL_SUN) take_mirrored_sky(m, a, first, load, sky, arriving);
   for (size_t row = first; row < first + TOGETHER && row < m->loads->ntime; row++) {
@@ -244,7 +224,7 @@ static void reflect_rows(const struct um_thermal_exchange_maker *m,
     rows.row[rows.n] = row;
     rows.weight[rows.n++] = weight;
   }
-  spread_rows(m, &rows, (uint32_t *)lit, sums, out);
+  return spread_rows(m, &rows, sums, rest, out);
 }
 
 enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, size_t pose,
@@ -253,17 +233,21 @@ enum um_status um_thermal_exchange_reflect(struct um_thermal_exchange_maker *m, 
   enum um_status status;
   struct mirrored_incident incident = {0};
   double *scratch = NULL;
-  size_t n = m->out->npatch, each = SCRATCH * n + UM_GEOMETRY_SKY_CELLS * TOGETHER;
+  size_t n = m->out->npatch, each = SCRATCH * n + UM_GEOMETRY_SKY_CELLS * TOGETHER +
+                                    um_thermal_reflections_scratch(m->reflections);
   int threads = um_core_context_threads(m->context);
-  bool mirrored = m->mirrored != NULL;
+  bool mirrored = m->mirrored != NULL, ends = true;
   long nblock = (long)((m->loads->ntime + TOGETHER - 1) / TOGETHER);
   UM_CHECK(um_core_allocate(m->context, (size_t)threads * each, sizeof *scratch, &scratch));
   if (mirrored) UM_CHECK(mirrored_incident_make(m, pose, load == UM_THERMAL_SUN, &incident));
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(&& : ends)
   for (long k = 0; k < nblock; k++)
-    reflect_rows(m, mirrored ? &incident : NULL, TOGETHER * (size_t)k, pose, load,
-                 scratch + (size_t)omp_get_thread_num() * each, out);
+    if (!um_core_stopped(m->context))
+      ends = reflect_rows(m, mirrored ? &incident : NULL, TOGETHER * (size_t)k, pose, load,
+                          scratch + (size_t)omp_get_thread_num() * each, out) &&
+             ends;
   UM_CHECK(um_core_stop_check(m->context, "reflected loads were added up"));
+  if (!ends) status = um_thermal_reflections_fail(m->context);
 done:
   mirrored_incident_free(m->context, &incident);
   um_core_free(m->context, scratch);
