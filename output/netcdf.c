@@ -45,7 +45,7 @@ static enum um_status define(const struct um_output_netcdf *w, const char *name,
   UM_TRY(check(w, nc_def_var(w->file, name, type, naxis, dimension, id)));
   UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "units", units)));
   UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "long_name", long_name)));
-  if (naxis > 1) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
+  if (naxis > 1 && type != NC_FLOAT) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
   return UM_OK;
 }
 
@@ -56,6 +56,16 @@ enum um_status um_output_netcdf_double(const struct um_output_netcdf *w, const c
 {
   int id;
   UM_TRY(define(w, name, NC_DOUBLE, axes, naxis, units, long_name, &id));
+  return check(w, nc_put_var_double(w->file, id, values));
+}
+
+enum um_status um_output_netcdf_float(const struct um_output_netcdf *w, const char *name,
+                                      const enum um_output_dimension *axes, int naxis,
+                                      const char *units, const char *long_name,
+                                      const double *values)
+{
+  int id;
+  UM_TRY(define(w, name, NC_FLOAT, axes, naxis, units, long_name, &id));
   return check(w, nc_put_var_double(w->file, id, values));
 }
 

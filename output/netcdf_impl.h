@@ -42,6 +42,14 @@ enum um_status um_output_netcdf_double(const struct um_output_netcdf *w, const c
                                        const enum um_output_dimension *axes, int naxis,
                                        const char *units, const char *long_name,
                                        const double *values);
+/* The same in single precision and as it stands, for what there may be a hundred million numbers
+ * of: half of a spectrum's digits are noise, which takes seconds to compress to more bytes than
+ * these.
+ */
+enum um_status um_output_netcdf_float(const struct um_output_netcdf *w, const char *name,
+                                      const enum um_output_dimension *axes, int naxis,
+                                      const char *units, const char *long_name,
+                                      const double *values);
 enum um_status um_output_netcdf_int(const struct um_output_netcdf *w, const char *name,
                                     const enum um_output_dimension *axes, int naxis,
                                     const char *long_name, const int *values);

@@ -127,7 +127,7 @@ enum um_status um_output_netcdf_light(const struct um_output_netcdf *w)
                                  "Monte-Carlo error of the intensity", r->standard_error));
   UM_TRY(um_output_netcdf_double(w, "intensity", tbmk, 4, "W sr-1",
                                  "radiant intensity toward the observer", r->intensity));
-  return um_output_netcdf_double(
-      w, "spectral_intensity", twk, 3, "W sr-1 m-1",
-      "spectral radiant intensity toward the observer, before any filter", r->spectral);
+  return um_output_netcdf_float(w, "spectral_intensity", twk, 3, "W sr-1 m-1",
+                                "spectral radiant intensity toward the observer, before any filter",
+                                r->spectral);
 }

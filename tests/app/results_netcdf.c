@@ -51,6 +51,40 @@ static void compare_intensity(int file)
   table_release(&parts);
 }
 
+/* Spectra add up to the intensities, to the rounding of single precision, 6e-8. */
+static void compare_spectra(int file)
+{
+  enum { MOST = 256 };
+  static double spectral[5 * MOST * 5], width[MOST], transmission[MOST];
+  double intensity[5][2][1][5], sum[5][2][5] = {0};
+  int id, axis, band[MOST];
+  size_t n;
+  NC(nc_inq_dimid(file, "wavelength", &axis));
+  NC(nc_inq_dimlen(file, axis, &n));
+  assert_true(n > 0 && n <= MOST);
+  const struct {
+    const char *name;
+    double *to;
+  } table[] = {{"spectral_intensity", spectral},
+               {"wavelength_width", width},
+               {"transmission", transmission},
+               {"intensity", &intensity[0][0][0][0]}};
+  for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+    NC(nc_inq_varid(file, table[i].name, &id));
+    NC(nc_get_var_double(file, id, table[i].to));
+  }
+  NC(nc_inq_varid(file, "wavelength_band", &id));
+  NC(nc_get_var_int(file, id, band));
+  for (size_t k = 0; k < 5; k++)
+    for (size_t i = 0; i < n; i++)
+      for (size_t m = 0; m < 5; m++)
+        sum[k][band[i]][m] += spectral[(k * n + i) * 5 + m] * width[i] * transmission[i];
+  for (size_t k = 0; k < 5; k++)
+    for (size_t b = 0; b < 2; b++)
+      for (size_t m = 0; m < 5; m++)
+        assert_close(sum[k][b][m], intensity[k][b][0][m], 6e-8 * fabs(intensity[k][b][0][m]));
+}
+
 /* Index of a name in the coordinate of a dimension, as a reader finds it that selects by name. */
 static size_t coordinate_find(int file, const char *dimension, const char *name)
 {
@@ -148,6 +182,7 @@ static void test_netcdf(void **state)
   NC(nc_get_var_double(file, id, time));
   for (int k = 1; k < 5; k++) assert_close(time[k] - time[0], 60.0 * k, 1e-6);
   compare_intensity(file);
+  compare_spectra(file);
   NC(nc_close(file));
 }
 
