@@ -62,17 +62,6 @@ void um_thermal_exchange_mix(const struct um_thermal_exchange *exchange, double 
   mix_add(exchange, next, u, mix);
 }
 
-/* sum_q of a row. */
-static double row_product(const struct um_thermal_between *between, size_t p, const double *x)
-{
-  double part[4] = {0.0, 0.0, 0.0, 0.0}; /* one strand would wait for itself */
-  size_t e = between->begin[p], end = between->begin[p + 1];
-  for (; e + 4 <= end; e += 4)
-    for (size_t s = 0; s < 4; s++) part[s] += between->area[e + s] * x[between->other[e + s]];
-  for (; e < end; e++) part[0] += between->area[e] * x[between->other[e]];
-  return part[0] + part[1] + part[2] + part[3];
-}
-
 void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
                                const struct um_thermal_mix *mix, int threads, const double *x,
@@ -82,11 +71,11 @@ void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
   for (size_t p = 0; p < exchange->noutside; p++) {
     double sum = 0.0;
     for (size_t k = 0; k < mix->n; k++)
-      sum += mix->weight[k] * row_product(&between[mix->pose[k]], p, x);
+      sum += mix->weight[k] * um_thermal_between_row(&between[mix->pose[k]], p, x);
     heat[p] = UM_STEFAN_BOLTZMANN * sum;
   }
   for (size_t p = exchange->noutside; p < exchange->npatch; p++)
-    heat[p] = UM_STEFAN_BOLTZMANN * row_product(&between[exchange->npose], p, x);
+    heat[p] = UM_STEFAN_BOLTZMANN * um_thermal_between_row(&between[exchange->npose], p, x);
 }
 
 /* T^4 of a surface [K^4]. */
@@ -102,9 +91,9 @@ static double power4_of(const struct um_thermal_surface *surface, const double *
 /* What patch p receives, over the poses: sum_q (eps B eps)_pq x_q. */
 static double received_by(const struct um_thermal_exchange *x, size_t p, const double *of_patch)
 {
-  if (p >= x->noutside) return row_product(&x->between[x->npose], p, of_patch);
+  if (p >= x->noutside) return um_thermal_between_row(&x->between[x->npose], p, of_patch);
   double sum = 0.0;
-  for (size_t k = 0; k < x->npose; k++) sum += row_product(&x->between[k], p, of_patch);
+  for (size_t k = 0; k < x->npose; k++) sum += um_thermal_between_row(&x->between[k], p, of_patch);
   return sum;
 }
 

@@ -44,7 +44,9 @@ enum um_status um_thermal_exchange_make_infrared(struct um_thermal_exchange_make
 {
   struct um_thermal_exchange *x = m->out;
   UM_TRY(um_thermal_exchange_make_pose(m, pose, m->emittance, m->lobe_infrared));
-  return um_thermal_exchange_keep(m, &x->between[pose], &x->strong[pose]);
+  UM_TRY(um_thermal_exchange_keep(m, &x->between[pose], &x->strong[pose]));
+  UM_TRY(um_thermal_between_block(m->context, m->n, &x->between[pose]));
+  return um_thermal_between_block(m->context, m->n, &x->strong[pose]);
 }
 
 /* Rooms one after the other in the same rows: no sunlight, no Earth, no pose. */
@@ -71,7 +73,8 @@ void um_thermal_between_clear(struct um_context *context, struct um_thermal_betw
                               size_t npose)
 {
   for (size_t k = 0; k < npose && between != NULL; k++) {
-    UM_FREE(context, between[k].begin, between[k].other, between[k].area);
+    UM_FREE(context, between[k].begin, between[k].other, between[k].area, between[k].first,
+            between[k].at, between[k].value, between[k].own);
     between[k] = (struct um_thermal_between){0};
   }
 }

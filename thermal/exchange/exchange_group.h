@@ -19,7 +19,20 @@ struct um_thermal_between {
   size_t *begin;   /* [npatch + 1], of the outside [noutside + 1] */
   uint32_t *other; /* [nentry] */
   double *area;    /* [nentry] [m^2] */
+  /* the same for products, where rows are long and full: blocks of columns in single precision, and
+     what that leaves out of the sum of a row; exchange_block.c */
+  size_t *first; /* [npatch + 1] blocks of a row; NULL: none */
+  uint32_t *at;  /* [nblock] first column */
+  float *value;  /* [nblock][UM_THERMAL_BLOCK] [m^2] */
+  double *own;   /* [npatch] of a patch with itself [m^2] */
 };
+#define UM_THERMAL_BLOCK 8
+
+/* Blocks of rows [0, n), which see each other alone, where these are read faster than entries. */
+enum um_status um_thermal_between_block(struct um_context *context, size_t n,
+                                        struct um_thermal_between *between);
+/* Sum over row p. */
+double um_thermal_between_row(const struct um_thermal_between *between, size_t p, const double *x);
 
 struct um_thermal_exchange {
   size_t nsurface, npatch, npose;

@@ -1,32 +1,32 @@
 /* All orders of diffuse reflection between patches,
  *
- *   B = S (1 - r A^-1 S)^-1 = S + S R M^-1 R S,   M = 1 - R S R,   R = sqrt(r / A).
+ *   B = S (1 - r A^-1 S)^-1,   B x = S (x + R y),   M y = R S x,   M = 1 - R S R,   R = sqrt(r /
+ * A).
  *
  * M is symmetric and positive definite where light finds a way out of every room or into one of its
- * walls. Its eigenvalues lie within rho of 1, rho the largest share of what leaves a patch that
- * comes back once: where that is not near 1, B x = S (x + R y), M y = R S x, by conjugate gradients
- * (Hestenes and Stiefel 1952), which read the few entries of S a dozen times. A room that hardly
- * absorbs, and a few patches, have B itself, by Cholesky factors: with L L^T = M and Y = L^-1 R S,
- * B = S + Y^T Y. */
+ * walls, and its eigenvalues lie within rho of 1, rho the largest share of what leaves a patch that
+ * comes back once. Conjugate gradients (Hestenes and Stiefel 1952) read the few entries of S a
+ * dozen times where rho is small; where it is near 1, or patches see most of the others, M has
+ * Cholesky factors (triangle.c). */
 #include "thermal/exchange/reflections_impl.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "base/core/wide.h"
+#include "thermal/exchange/triangle_impl.h"
 
 #define WHITEST    (1.0 - 1e-9) /* largest reflectance: a white room has no balance */
-#define COLUMNS    64           /* solved at a time */
-#define FEW        64           /* patches: B itself is no larger than what else is kept of them */
 #define RETURNING  0.98         /* rho up to which M is iterated with [1] */
 #define RESIDUAL   1e-11        /* of M y = R S x, of its right-hand side [1] */
-#define ITERATIONS 1000         /* M y = R S x takes 100 where rho is largest */
+#define ITERATIONS 1000         /* M y = R S x takes 150 where rho is largest */
+#define EACH       2.5          /* what an entry of S costs of one of the factors, read in order */
 #define TOGETHER   UM_THERMAL_TOGETHER
 
 struct um_thermal_reflections {
   const struct um_geometry_view_factors *factors; /* borrowed */
   double *root;                                   /* [n] R [1/m] */
-  double *b;                                      /* [n][n] [m^2]; NULL: M is iterated with */
+  double *l; /* the triangle of M's factors; NULL: M is iterated with */
 };
 
 enum um_status um_thermal_reflections_fail(struct um_context *context)
@@ -36,89 +36,31 @@ enum um_status um_thermal_reflections_fail(struct um_context *context)
                       "absorb nothing; accepted: walls that absorb");
 }
 
-/* L in place of the lower triangle of m; false: not positive definite. */
-static bool cholesky(double *m, size_t n)
-{
-  for (size_t i = 0; i < n; i++) {
-    double *row = m + i * n;
-    for (size_t j = 0; j <= i; j++) {
-      const double *other = m + j * n;
-      double sum = row[j];
-      for (size_t k = 0; k < j; k++) sum -= row[k] * other[k];
-      if (j < i)
-        row[j] = sum / other[j];
-      else if (sum > 0.0)
-        row[j] = sqrt(sum);
-      else
-        return false;
-    }
-  }
-  return true;
-}
-
-/* y <- L^-1 y for columns [from, to). */
-static void forward(const double *l, double *y, size_t n, size_t from, size_t to)
-{
-  for (size_t i = 0; i < n; i++) {
-    double *row = y + i * n;
-    for (size_t k = 0; k < i; k++) {
-      double factor = l[i * n + k];
-      const double *other = y + k * n;
-      for (size_t q = from; factor != 0.0 && q < to; q++) row[q] -= factor * other[q];
-    }
-    for (size_t q = from; q < to; q++) row[q] /= l[i * n + i];
-  }
-}
-
-/* m = 1 - R S R, y = R S, b = S. */
-static void fill(const struct um_thermal_reflections *r, double *m, double *y)
+/* M as factors. */
+static enum um_status factorise(struct um_context *context, struct um_thermal_reflections *r)
 {
   const struct um_geometry_view_factors *f = r->factors;
   size_t n = f->npatch;
+  bool definite;
+  UM_TRY(um_core_allocate(context, n * (n + 1) / 2, sizeof *r->l, &r->l));
   for (size_t p = 0; p < n; p++) {
-    m[p * n + p] = 1.0;
-    for (size_t e = f->begin[p]; e < f->begin[p + 1]; e++) {
-      size_t q = f->other[e];
-      m[p * n + q] -= r->root[p] * f->area[e] * r->root[q];
-      y[p * n + q] = r->root[p] * f->area[e];
-      r->b[p * n + q] = f->area[e];
-    }
+    double *row = um_thermal_triangle_row(r->l, p);
+    row[p] = 1.0;
+    for (size_t e = f->begin[p]; e < f->begin[p + 1] && f->other[e] <= p; e++)
+      row[f->other[e]] -= r->root[p] * f->area[e] * r->root[f->other[e]];
   }
+  UM_TRY(um_thermal_triangle_factorise(context, n, r->l, &definite));
+  return definite ? UM_OK : um_thermal_reflections_fail(context);
 }
 
-/* B itself. */
-static enum um_status make_all(struct um_context *context, struct um_thermal_reflections *r)
+/* Whether factors are worth it, for as many columns as there are patches: n^3 / 6 for them and n^2
+ * a column, or as many times all entries of S as the error, (rho / (1 + sqrt(1 - rho^2)))^k of
+ * which is left (Saad 2003, eq. 6.128), wants. */
+static bool is_dense(const struct um_geometry_view_factors *factors, double rho)
 {
-  enum um_status status;
-  size_t n = r->factors->npatch;
-  double *m = NULL, *y = NULL;
-  UM_CHECK(um_core_allocate(context, n * n, sizeof *r->b, &r->b));
-  UM_CHECK(um_core_allocate(context, n * n, sizeof *m, &m));
-  UM_CHECK(um_core_allocate(context, n * n, sizeof *y, &y));
-  fill(r, m, y);
-  if (!cholesky(m, n)) {
-    status = um_thermal_reflections_fail(context);
-    goto done;
-  }
-  UM_CHECK(um_core_stop_check(context, "reflections were added up"));
-  long blocks = (long)((n + COLUMNS - 1) / COLUMNS), rows = (long)n;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
-  for (long k = 0; k < blocks; k++) {
-    size_t from = (size_t)k * COLUMNS, to = from + COLUMNS;
-    forward(m, y, n, from, to < n ? to : n);
-  }
-#pragma omp parallel for schedule(dynamic, 8) num_threads(um_core_context_threads(context))
-  for (long p = 0; p < rows; p++) {
-    double *row = r->b + (size_t)p * n;
-    for (size_t k = 0; k < n; k++) {
-      double factor = y[k * n + (size_t)p];
-      const double *other = y + k * n;
-      for (size_t q = 0; factor != 0.0 && q < n; q++) row[q] += factor * other[q];
-    }
-  }
-done:
-  UM_FREE(context, m, y);
-  return status;
+  double n = (double)factors->npatch;
+  double rounds = 2.0 + log(RESIDUAL) / log(fmax(rho, 1e-3) / (1.0 + sqrt(1.0 - rho * rho)));
+  return EACH * rounds * (double)factors->begin[factors->npatch] > 7.0 / 6.0 * n * n;
 }
 
 enum um_status um_thermal_reflections_create(struct um_context *context,
@@ -140,7 +82,7 @@ enum um_status um_thermal_reflections_create(struct um_context *context,
     for (size_t e = factors->begin[p]; e < factors->begin[p + 1]; e++) seen += factors->area[e];
     rho = fmax(rho, reflected / area[p] * seen);
   }
-  if (n <= FEW || !(rho <= RETURNING)) UM_CHECK(make_all(context, r));
+  if (!(rho <= RETURNING) || is_dense(factors, rho)) UM_CHECK(factorise(context, r));
   *out = r;
   r = NULL;
 done:
@@ -151,21 +93,8 @@ done:
 void um_thermal_reflections_destroy(struct um_context *context, struct um_thermal_reflections **r)
 {
   if (*r == NULL) return;
-  UM_FREE(context, (*r)->root, (*r)->b, *r);
+  UM_FREE(context, (*r)->root, (*r)->l, *r);
   *r = NULL;
-}
-
-/* out[TOGETHER]: of b[q] times x[q], q through lit[nlit]. */
-UM_WIDE_VECTORS static void gather(const double *b, const uint32_t *lit, size_t nlit,
-                                   const double *x, double *out)
-{
-  double sum[TOGETHER] = {0.0};
-  for (size_t j = 0; j < nlit; j++) {
-    double share = b[lit[j]];
-    const double *of = x + (size_t)lit[j] * TOGETHER;
-    for (size_t k = 0; k < TOGETHER; k++) sum[k] += share * of[k];
-  }
-  memcpy(out, sum, sizeof sum);
 }
 
 /* out = S x. */
@@ -239,29 +168,23 @@ static bool iterate(const struct um_thermal_reflections *r, double *rest, double
 
 size_t um_thermal_reflections_scratch(const struct um_thermal_reflections *r)
 {
-  return (r->b != NULL ? 1 : 5 * TOGETHER) * r->factors->npatch;
+  return (r->l != NULL ? 2u : 5u) * TOGETHER * r->factors->npatch;
 }
 
 bool um_thermal_reflections_apply(const struct um_thermal_reflections *r, const double *x,
                                   double *scratch, double *out)
 {
-  size_t n = r->factors->npatch, nlit = 0;
-  if (r->b != NULL) {
-    uint32_t *lit = (uint32_t *)scratch;
-    for (size_t p = 0; p < n; p++) {
-      bool any = false;
-      for (size_t k = 0; k < TOGETHER; k++) any = any || x[p * TOGETHER + k] != 0.0;
-      if (any) lit[nlit++] = (uint32_t)p;
-    }
-    for (size_t p = 0; p < n; p++) gather(r->b + p * n, lit, nlit, x, out + p * TOGETHER);
-    return true;
-  }
-  size_t size = n * TOGETHER;
-  double *rest = scratch, *along = rest + size, *turned = along + size, *scaled = turned + size,
-         *y = scaled + size;
+  size_t n = r->factors->npatch, size = n * TOGETHER;
+  double *scaled = scratch, *rest = scaled + size, *along = rest + size, *turned = along + size,
+         *y = turned + size;
   multiply(r->factors, x, out);
   scale(r, out, rest);
-  if (!iterate(r, rest, along, turned, scaled, y)) return false;
+  if (r->l != NULL) {
+    um_thermal_triangle_solve(r->l, n, rest);
+    y = rest;
+  } else if (!iterate(r, rest, along, turned, scaled, y)) {
+    return false;
+  }
   scale(r, y, scaled);
   for (size_t i = 0; i < size; i++) scaled[i] += x[i];
   multiply(r->factors, scaled, out);

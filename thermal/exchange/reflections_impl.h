@@ -4,10 +4,7 @@
 #define UMBRA_THERMAL_REFLECTIONS_IMPL_H
 
 #include "geometry/view_factors.h"
-
-#define UM_THERMAL_TOGETHER                                                                        \
-  8 /* columns that go through B side by side: it is read once for them                            \
-     */
+#include "thermal/exchange/triangle_impl.h"
 
 struct um_thermal_reflections;
 

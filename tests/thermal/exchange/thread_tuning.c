@@ -22,7 +22,7 @@ static void test_same_bits(void **state)
       area[begin[p] + q] = value_of(p * PATCHES + q);
     }
   }
-  const struct um_thermal_between between = {begin, other, area};
+  const struct um_thermal_between between = {.begin = begin, .other = other, .area = area};
   const struct um_thermal_exchange exchange = {.npatch = PATCHES, .noutside = PATCHES, .npose = 1};
   const struct um_thermal_mix mix = {.n = 1, .pose = {0}, .weight = {1.0}};
   bool together = false;
