@@ -112,6 +112,22 @@ UM_WIDE_VECTORS static void multiply(const struct um_geometry_view_factors *f, c
   }
 }
 
+/* The same where few patches send: S is symmetric, and theirs are the rows that are read. */
+UM_WIDE_VECTORS static void multiply_few(const struct um_geometry_view_factors *f, const double *x,
+                                         double *out)
+{
+  memset(out, 0, f->npatch * TOGETHER * sizeof *out);
+  for (size_t q = 0; q < f->npatch; q++) {
+    const double *of = x + q * TOGETHER;
+    bool any = false;
+    for (size_t k = 0; k < TOGETHER; k++) any = any || of[k] != 0.0;
+    for (size_t e = f->begin[q]; any && e < f->begin[q + 1]; e++) {
+      double *to = out + (size_t)f->other[e] * TOGETHER;
+      for (size_t k = 0; k < TOGETHER; k++) to[k] += f->area[e] * of[k];
+    }
+  }
+}
+
 /* out = R x. */
 static void scale(const struct um_thermal_reflections *r, const double *x, double *out)
 {
@@ -177,7 +193,7 @@ bool um_thermal_reflections_apply(const struct um_thermal_reflections *r, const 
   size_t n = r->factors->npatch, size = n * TOGETHER;
   double *scaled = scratch, *rest = scaled + size, *along = rest + size, *turned = along + size,
          *y = turned + size;
-  multiply(r->factors, x, out);
+  multiply_few(r->factors, x, out);
   scale(r, out, rest);
   if (r->l != NULL) {
     um_thermal_triangle_solve(r->l, n, rest);
