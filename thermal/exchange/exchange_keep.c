@@ -56,12 +56,13 @@ static bool make_block(const struct keeper *k, size_t first, double *scratch, do
 static double small_of(const struct um_thermal_exchange_maker *m, double left_out, size_t p,
                        const double *row)
 {
-  double emitted = m->emittance[m->first + p] * m->out->area[m->first + p];
-  for (double limit = 0.1 * emitted; limit > 1e-12 * emitted; limit *= 0.25) {
+  double emitted = m->emittance[m->first + p] * m->out->area[m->first + p], limit = 0.1 * emitted;
+  while (limit > 1e-12 * emitted) {
     double sum = 0.0;
     for (size_t q = 0; q < m->n; q++)
       if (q != p && row[q] < limit) sum += row[q];
     if (sum <= left_out * emitted) return limit;
+    limit *= 0.25;
   }
   return 0.0;
 }
