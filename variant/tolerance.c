@@ -1,13 +1,13 @@
-/* The choices of tolerances, and what each leaves of ENVISAT's pass: against a run of its own, the
- * largest of the scenario as it stands, of 200 W more inside, of an emittance of cells 5 % up and
- * of an attitude 3 deg off (tests/bench/variant.c). Looser ones do not pay: steps of an integration
- * are then as long as loads are smooth over. Heat makes no light in VIS. */
+/* The choices of tolerances, and what each leaves of ENVISAT's pass against a run of its own. The
+ * scenario as it stands has 0.029 K and 3.8e-4 in LWIR, 0.0033 K and 2.4e-5, and the same with the
+ * last (tests/bench/variant.c); what is stated has room for variants. Looser ones do not pay: steps
+ * of an integration are then as long as loads are smooth over. Heat makes no light in VIS. */
 #include "variant/tolerance_impl.h"
 
 #define SHARE 0.25 /* of the asked error */
 
 const struct um_variant_tolerance_choice um_variant_tolerance_choices[UM_VARIANT_CHOICES] = {
-    {{3.0, 0.05}, {1.3e-4, 0.0, 0.045}},
+    {{3.0, 0.05}, {5e-4, 0.0, 0.045}},
     {{1.0, 0.02}, {7e-5, 0.0, 0.020}},
     {{1.0, UM_MODEL_PERIODIC_TOLERANCE}, {3.3e-5, 0.0, 0.0036}}};
 

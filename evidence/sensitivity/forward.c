@@ -46,11 +46,10 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
 static void correct(const struct um_sensitivity_forward *forward, double *value)
 {
   const double *few = forward->cache->few, *base = forward->cache->base;
-  for (size_t j = 0; j < forward->observations.count; j++)
-    if (fabs(base[j] - few[j]) <= NEARLY * fabs(few[j]) && few[j] != 0.0)
-      value[j] *= base[j] / few[j];
-    else
-      value[j] += base[j] - few[j];
+  for (size_t j = 0; j < forward->observations.count; j++) {
+    bool nearly = few[j] != 0.0 && fabs(base[j] - few[j]) <= NEARLY * fabs(few[j]);
+    value[j] = base[j] + (value[j] - few[j]) * (nearly ? base[j] / few[j] : 1.0);
+  }
 }
 
 /* Observations in use from the prediction of all, with the tables it is of. */

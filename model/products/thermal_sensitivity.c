@@ -14,7 +14,7 @@
  * 3e-4 of the largest answer in the means of parts, and up to 8e-3 in a facet of foil that the Sun
  * grazes, whose load is kinked at every row of its grid; of hidden-effect 1e-3 in every node
  * (tests/model/products/thermal_sensitivity.c). */
-#define TOLERANCE 1e-4
+#define TOLERANCE 5e-5
 
 /* --- what it is applicable to ----------------------------------------------------------------- */
 

@@ -17,8 +17,9 @@ static const char scenario[] = BOX("2016-09-06T18:09:00Z", "2016-09-06T18:13:00Z
 enum { NBAND = 2, NPLACE = 2, TOLD = NBAND + NPLACE, MOST = 3 };
 static const size_t place[NPLACE] = {0, 1};
 static const bool thermal[NBAND] = {false, true};
-static const char *const periodic[] = {"thermal.start=periodic", "thermal.orbits_before=1",
-                                       "thermal.accuracy_K=0.01"}; /* bends by 3 mK are looked at */
+static const char *const periodic[] = {
+    "thermal.start=periodic", "thermal.orbits_before=1",
+    "thermal.accuracy_K=0.001"}; /* bends by 3 mK are looked at */
 static char path[UM_TEST_PATH];
 
 static int set_up(void **state)

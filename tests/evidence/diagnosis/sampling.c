@@ -91,6 +91,9 @@ static void withhold(struct um_sensitivity_forward *f)
                       f->cache->predicted, f->cache->base);
   memcpy(f->observations.sigma, f->observations.stated_sigma,
          f->observations.count * sizeof(double));
+  f->paths = f->paths_before; /* nothing to correct */
+  um_core_free(context, f->cache->few);
+  f->cache->few = NULL;
 }
 
 /* nstep: effects that were accused. */

@@ -278,12 +278,14 @@ static void test_few_paths(void **state)
   assert_ok(um_sensitivity_forward_paths(context, f, UM_SENSITIVITY_VALUES));
   assert_ok(um_sensitivity_forward_evaluate(context, f, &turned, 1, value));
   assert_fresh(&options, f, f->paths, &turned, 1, value);
+  assert_signature(f, many);
+  assert_ok(um_sensitivity_forward_evaluate(context, f, &turned, 1, few));
+  assert_memory_equal(few, value, sizeof few); /* all of them again */
   struct um_sensitivity_forward_run run;
   assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
   assert_int_equal(run.variant.tables->sampling.paths, 1); /* the window wants no more */
   assert_int_equal(run.variant.tables->sampling.samples, f->samples);
   um_sensitivity_forward_run_release(context, &run);
-  assert_signature(f, many);
   assert_run(f, &a, many_moved);
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);

@@ -22,8 +22,9 @@ static void close_to(const char *name, double value, double expected)
 static void test_audit_and_drift(void **state)
 {
   (void)state;
-  static const char *const overrides[] = {"time.step_s=60", "time.exposure_s=0"};
-  const struct um_model_options options = {.overrides = overrides, .noverride = 2};
+  static const char *const overrides[] = {"time.step_s=60", "time.exposure_s=0",
+                                          "thermal.accuracy_K=0.01"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 3};
   struct um_model *model;
   struct um_model_tables *tables;
   struct um_model_thermal_solution *heat;
