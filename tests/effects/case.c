@@ -24,7 +24,7 @@ const char *const case_plate =
     "     joint: {axis: [0, 1, 0], angle_deg: 0},\n"
     "     front: grey_panel, back: grey_white, lumped: true, facet_size_m: 0.3,\n"
     "     shell: {areal_heat_capacity_J_m2_K: 3000, through_conductance_W_m2_K: 50}}\n"
-    "thermal: {start: isothermal, start_temperature_K: 290, orbits_before: 0}\n"
+    "thermal: {start: isothermal, start_temperature_K: 290, orbits_before: 0, accuracy_K: 0.01}\n"
     "bands:\n"
     "  vis: {from_um: 0.38, to_um: 0.78, bins: 3}\n"
     "  lwir: {from_um: 8, to_um: 12, bins: 3}\n";
