@@ -54,8 +54,9 @@ um_environment_earth_azimuths(const struct um_environment_earth_view *view)
   a.n = a.crossed ? 16 : 4;
   for (int j = 0; j < a.n; j++) {
     const struct um_environment_gauss *gauss = &um_environment_gauss_8[a.crossed ? j % 8 : 4 + j];
+    int quarter = j / 8;
     if (a.crossed)
-      azimuth_set(&a, j, 0.5 * (j / 8 + gauss->x), 0.5 * gauss->w);
+      azimuth_set(&a, j, 0.5 * (quarter + gauss->x), 0.5 * gauss->w);
     else
       azimuth_set(&a, j, 2.0 * gauss->x - 1.0, 2.0 * gauss->w);
   }
