@@ -36,17 +36,27 @@ static enum um_status check(const struct um_output_netcdf *w, int code)
   return um_core_fail(w->context, UM_ERR_IO, "run.nc: netCDF: %s", nc_strerror(code));
 }
 
+/* packed: compressed, where there is more than one axis. */
 static enum um_status define(const struct um_output_netcdf *w, const char *name, nc_type type,
-                             const enum um_output_dimension *axes, int naxis, const char *units,
-                             const char *long_name, int *id)
+                             bool packed, const enum um_output_dimension *axes, int naxis,
+                             const char *units, const char *long_name, int *id)
 {
   int dimension[AXES_MAX];
   for (int i = 0; i < naxis; i++) dimension[i] = w->dimension[axes[i]];
   UM_TRY(check(w, nc_def_var(w->file, name, type, naxis, dimension, id)));
   UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "units", units)));
   UM_TRY(check(w, um_output_netcdf_text(w->file, *id, "long_name", long_name)));
-  if (naxis > 1 && type != NC_FLOAT) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
+  if (packed && naxis > 1) UM_TRY(check(w, nc_def_var_deflate(w->file, *id, 1, 1, 4)));
   return UM_OK;
+}
+
+static enum um_status numbers(const struct um_output_netcdf *w, const char *name, nc_type type,
+                              bool packed, const enum um_output_dimension *axes, int naxis,
+                              const char *units, const char *long_name, const double *values)
+{
+  int id;
+  UM_TRY(define(w, name, type, packed, axes, naxis, units, long_name, &id));
+  return check(w, nc_put_var_double(w->file, id, values));
 }
 
 enum um_status um_output_netcdf_double(const struct um_output_netcdf *w, const char *name,
@@ -54,9 +64,7 @@ enum um_status um_output_netcdf_double(const struct um_output_netcdf *w, const c
                                        const char *units, const char *long_name,
                                        const double *values)
 {
-  int id;
-  UM_TRY(define(w, name, NC_DOUBLE, axes, naxis, units, long_name, &id));
-  return check(w, nc_put_var_double(w->file, id, values));
+  return numbers(w, name, NC_DOUBLE, true, axes, naxis, units, long_name, values);
 }
 
 enum um_status um_output_netcdf_float(const struct um_output_netcdf *w, const char *name,
@@ -64,9 +72,7 @@ enum um_status um_output_netcdf_float(const struct um_output_netcdf *w, const ch
                                       const char *units, const char *long_name,
                                       const double *values)
 {
-  int id;
-  UM_TRY(define(w, name, NC_FLOAT, axes, naxis, units, long_name, &id));
-  return check(w, nc_put_var_double(w->file, id, values));
+  return numbers(w, name, NC_FLOAT, false, axes, naxis, units, long_name, values);
 }
 
 enum um_status um_output_netcdf_int(const struct um_output_netcdf *w, const char *name,
@@ -74,7 +80,7 @@ enum um_status um_output_netcdf_int(const struct um_output_netcdf *w, const char
                                     const char *long_name, const int *values)
 {
   int id;
-  UM_TRY(define(w, name, NC_INT, axes, naxis, "1", long_name, &id));
+  UM_TRY(define(w, name, NC_INT, true, axes, naxis, "1", long_name, &id));
   return check(w, nc_put_var_int(w->file, id, values));
 }
 
@@ -91,7 +97,7 @@ enum um_status um_output_netcdf_names(const struct um_output_netcdf *w,
                                       const char *const *names)
 {
   int id;
-  UM_TRY(define(w, dimension_names[axis], NC_STRING, &axis, 1, "1", long_name, &id));
+  UM_TRY(define(w, dimension_names[axis], NC_STRING, false, &axis, 1, "1", long_name, &id));
   const char **borrowed = NULL; /* the library does not write through them */
   UM_TRY(um_core_allocate(w->context, w->length[axis], sizeof *borrowed, &borrowed));
   memcpy(borrowed, names, w->length[axis] * sizeof *borrowed);

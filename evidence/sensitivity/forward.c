@@ -38,15 +38,11 @@ static enum um_status predict(struct um_context *context, struct um_sensitivity_
   return status;
 }
 
-/* What few paths make of the base is known beside the true one. Where it is nearly right, an error
- * is a share of the light; else light is faint, and what is added to it behind may be most of it.
- */
 #define NEARLY 0.1
 
-static void correct(const struct um_sensitivity_forward *forward, double *value)
+void um_sensitivity_forward_correct(const double *few, const double *base, size_t n, double *value)
 {
-  const double *few = forward->cache->few, *base = forward->cache->base;
-  for (size_t j = 0; j < forward->observations.count; j++) {
+  for (size_t j = 0; j < n; j++) {
     bool nearly = few[j] != 0.0 && fabs(base[j] - few[j]) <= NEARLY * fabs(few[j]);
     value[j] = base[j] + (value[j] - few[j]) * (nearly ? base[j] / few[j] : 1.0);
   }
@@ -68,7 +64,7 @@ static enum um_status gather(struct um_context *context,
                           channel->of, value[j]);
   }
   if (forward->cache->few != NULL && tables->sampling.paths == forward->paths_before)
-    correct(forward, value);
+    um_sensitivity_forward_correct(forward->cache->few, forward->cache->base, o->count, value);
   return UM_OK;
 }
 

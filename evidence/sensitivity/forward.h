@@ -34,11 +34,10 @@ struct um_sensitivity_forward {
 /* Where the model's own sampling error is too large beside sigma, optics.samples is raised as umbra
  * compare does (um_compare_refine), for every variant (plan->sampling): all look at the body with
  * the same points, and differences between them are smooth. forward->samples says what was used.
- * options: the user's --set, --with, --without; borrowed. tolerance: of the heat
- * of every evaluation, UM_VARIANT_TIGHT for that of a run; derivatives by differences want the same
- * for all. UM_ERR_INPUT naming file and line: what
- * um_compare_plan_create refuses, and an observation in use without sigma that the scenario's noise
- * model does not fill. The caller destroys. */
+ * options: the user's --set, --with, --without; borrowed. tolerance: of the heat of every
+ * evaluation, UM_VARIANT_TIGHT for that of a run; derivatives by differences want the same for all.
+ * UM_ERR_INPUT naming file and line: what um_compare_plan_create refuses, and an observation in use
+ * without sigma that the scenario's noise model does not fill. The caller destroys. */
 enum um_status um_sensitivity_forward_create(struct um_context *context, const char *path,
                                              const struct um_model_options *options,
                                              const struct um_compare_measurements *measurements,

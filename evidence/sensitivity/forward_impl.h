@@ -35,6 +35,11 @@ enum um_sensitivity_paths {
 enum um_status um_sensitivity_forward_paths(struct um_context *context,
                                             struct um_sensitivity_forward *forward,
                                             enum um_sensitivity_paths paths);
+/* Values [n] by few paths, corrected by what few paths and all make of the scenario as it stands,
+ * few [n] and base [n]. Where few are right within a tenth, what they miss is a share of the light;
+ * else light is faint, and what is added behind it may be most of a value: an amount. The scenario
+ * itself keeps its bits. */
+void um_sensitivity_forward_correct(const double *few, const double *base, size_t n, double *value);
 /* um_sensitivity_forward_evaluate of the move, at its step, with heat by the answer that was found.
  */
 enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,

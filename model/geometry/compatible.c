@@ -156,18 +156,12 @@ static enum um_status same_times(struct um_context *context, const struct um_mod
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
-  struct um_model_instants of = {.count = 0};
-  double *times = NULL;
   um_core_quiet_begin(context);
-  if (instants != NULL) of = *instants;
-  if (of.time == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
-  if (of.time == NULL) of.time = times;
-  UM_CHECK(um_model_precompute_plan(context, model, &of, &plan));
+  UM_CHECK(um_model_precompute_plan(context, model, instants, &plan));
   *out = plan_equal(tables, &plan);
 done:
   um_core_quiet_end(context);
   um_model_precompute_plan_clear(context, &plan);
-  um_core_free(context, times);
   return status;
 }
 

@@ -40,6 +40,11 @@ static int compare_times(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
+bool um_model_load_rows_vary(const struct um_model *model, const struct um_model_tables *tables)
+{
+  return isnan(model->scenario->thermal->step_s) && !(tables->spin_period > 0.0);
+}
+
 double um_model_load_step(const struct um_model *model, const struct um_model_tables *tables)
 {
   double step = model->scenario->thermal->step_s;
@@ -153,8 +158,7 @@ enum um_status um_model_load_grid(struct um_context *context, const struct um_mo
   struct grid_time *grid = NULL;
   UM_TRY(um_core_allocate(context, room, sizeof *grid, &grid));
   double recent = tables->t_start;
-  bool few = isnan(model->scenario->thermal->step_s) && !(tables->spin_period > 0.0);
-  if (few && tables->t_first - RECENT > recent) {
+  if (um_model_load_rows_vary(model, tables) && tables->t_first - RECENT > recent) {
     recent = tables->t_first - RECENT;
     n = lay(tables->t_start, recent, end, fmin(SPARSE * step, UM_MODEL_LOADS_LONGEST_STEP), grid,
             n);

@@ -145,13 +145,11 @@ done:
   return status;
 }
 
-enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
-                                        const struct um_model_instants *instants,
-                                        struct um_model_precompute_plan *out)
+static enum um_status plan_at(struct um_context *context, const struct um_model *model,
+                              const struct um_model_instants *instants,
+                              struct um_model_precompute_plan *out)
 {
   struct um_model_tables *tables = NULL;
-  *out = (struct um_model_precompute_plan){0};
-  UM_TRY(um_model_check_track(context, model));
   UM_TRY(check_times(context, instants->time, instants->count));
   UM_TRY(um_core_allocate(context, 1, sizeof *tables, &tables));
   out->tables = tables;
@@ -160,8 +158,7 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
   UM_TRY(um_model_tables_hide(context, model, tables));
   trace_span(model, tables);
   UM_TRY(um_model_spin_period(context, model, tables, &tables->spin_period));
-  tables->sparse =
-      instants->sparse && isnan(model->scenario->thermal->step_s) && !(tables->spin_period > 0.0);
+  tables->sparse = instants->sparse && um_model_load_rows_vary(model, tables);
   double step = um_model_load_step(model, tables);
   double end = tables->sample[tables->nobs * tables->nsub - 1].t_tai;
   UM_TRY(um_model_check_load_rows(context, model, tables,
@@ -170,6 +167,24 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
                          &tables->event, &tables->nevent));
   UM_TRY(um_model_load_grid(context, model, tables, step, &out->grid, &out->ngrid));
   return um_model_load_edges(context, model, tables, &out->edge);
+}
+
+enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_instants *instants,
+                                        struct um_model_precompute_plan *out)
+{
+  struct um_model_instants of = {.count = 0};
+  double *window = NULL;
+  *out = (struct um_model_precompute_plan){0};
+  UM_TRY(um_model_check_track(context, model));
+  if (instants != NULL) of = *instants;
+  if (of.time == NULL) {
+    UM_TRY(um_model_scenario_times(context, model, &window, &of.count));
+    of.time = window;
+  }
+  enum um_status status = plan_at(context, model, &of, out);
+  um_core_free(context, window);
+  return status;
 }
 
 void um_model_precompute_plan_clear(struct um_context *context,
@@ -200,12 +215,14 @@ enum um_status um_model_precompute_with(struct um_context *context, const struct
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
+  struct um_model_sampling sampling = {0, 0};
+  if (instants != NULL) sampling = instants->sampling;
   *out = NULL;
   UM_CHECK(um_model_precompute_plan(context, model, instants, &plan));
   plan.tables->body = um_model_body_tables_share(body);
   UM_CHECK(
       um_model_precompute_loads(context, model, plan.grid, plan.ngrid, plan.edge, plan.tables));
-  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, plan.tables));
+  UM_CHECK(um_model_precompute_view(context, model, sampling, plan.tables));
   *out = plan.tables;
   plan.tables = NULL;
 done:

@@ -14,9 +14,9 @@ struct um_model_instants {
   const struct um_model_point *point; /* [count] of a scenario with orbit.points; NULL: an orbit */
   size_t count;
   struct um_model_sampling sampling;
-  bool sparse; /* loads for heat that is solved with loosened tolerances (load_grid.c): a third of
-                  the rows. Nothing is sparse where thermal.step_s is stated, loads are means over a
-                  turn, or observations are points. Test: model/geometry/sparse */
+  bool sparse; /* observed instants are no rows of the loads (load_grid.c). Nothing is sparse where
+                  thermal.step_s is stated, loads are means over a turn, or observations are points.
+                  Test: model/geometry/sparse */
 };
 
 /* Times of the scenario's own observations, every step from start to stop, t_tai [s]; the caller

@@ -16,7 +16,8 @@ struct um_model_precompute_plan {
   size_t ngrid;
   double *edge; /* [tables->nevent] times at which the integration stops */
 };
-/* Errors of um_model_precompute_at. Cleared by the caller, after a failure too. */
+/* instants NULL, or without times: over the scenario's own window. Errors of
+ * um_model_precompute_at. Cleared by the caller, after a failure too. */
 enum um_status um_model_precompute_plan(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_precompute_plan *out);
@@ -29,8 +30,8 @@ enum um_status um_model_precompute_view(struct um_context *context, const struct
                                         struct um_model_sampling sampling,
                                         struct um_model_tables *tables);
 
-/* As um_model_precompute_at, with tables that serve the model (body_tables.h); NULL: they are
- * traced. */
+/* As um_model_precompute_over without points, with tables that serve the model (body_tables.h);
+ * NULL: they are traced. */
 enum um_status um_model_precompute_with(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_body_tables *body,

@@ -17,36 +17,18 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
   return um_model_precompute_with(context, model, &instants, NULL, out);
 }
 
-/* Over the scenario's own window, of which the instants have no times. */
-static enum um_status window_trace(struct um_context *context, const struct um_model *model,
-                                   struct um_model_instants window,
-                                   struct um_model_body_tables *body, struct um_model_tables **out)
-{
-  double *times = NULL;
-  *out = NULL;
-  UM_TRY(um_model_check_track(context, model));
-  UM_TRY(um_model_scenario_times(context, model, &times, &window.count));
-  window.time = times;
-  enum um_status status = um_model_precompute_with(context, model, &window, body, out);
-  um_core_free(context, times);
-  return status;
-}
-
 enum um_status um_model_precompute(struct um_context *context, const struct um_model *model,
                                    struct um_model_tables **out)
 {
-  return window_trace(context, model, (struct um_model_instants){.count = 0}, NULL, out);
+  return um_model_precompute_with(context, model, NULL, NULL, out);
 }
 
 static enum um_status trace(struct um_context *context, const struct um_model *model,
                             const struct um_model_instants *instants,
                             struct um_model_body_tables *body, struct um_model_tables **out)
 {
-  if (instants == NULL)
-    return window_trace(context, model, (struct um_model_instants){.count = 0}, body, out);
-  if (instants->point != NULL)
+  if (instants != NULL && instants->point != NULL)
     return um_model_precompute_points_with(context, model, instants, body, out);
-  if (instants->time == NULL) return window_trace(context, model, *instants, body, out);
   return um_model_precompute_with(context, model, instants, body, out);
 }
 

@@ -42,26 +42,22 @@ enum um_status um_model_precompute_scaled(struct um_context *context, const stru
 {
   enum um_status status;
   struct um_model_precompute_plan plan = {0};
-  struct um_model_instants of = {.count = 0};
+  struct um_model_sampling sampling = {0, 0};
   struct um_irradiation_levels levels;
-  double *times = NULL;
   bool proportional;
   *out = NULL;
   UM_TRY(um_model_loads_are_proportional(context, made, like, instants, model, &levels,
                                          &proportional));
   if (!proportional) return UM_OK;
-  if (instants != NULL) of = *instants;
-  if (of.time == NULL) UM_CHECK(um_model_scenario_times(context, model, &times, &of.count));
-  if (of.time == NULL) of.time = times;
-  UM_CHECK(um_model_precompute_plan(context, model, &of, &plan));
+  if (instants != NULL) sampling = instants->sampling;
+  UM_CHECK(um_model_precompute_plan(context, model, instants, &plan));
   plan.tables->body = um_model_body_tables_share(like->body);
   plan.tables->view_factors = like->view_factors;
   UM_CHECK(loads_scale(context, like, &levels, plan.tables));
-  UM_CHECK(um_model_precompute_view(context, model, of.sampling, plan.tables));
+  UM_CHECK(um_model_precompute_view(context, model, sampling, plan.tables));
   *out = plan.tables;
   plan.tables = NULL;
 done:
   um_model_precompute_plan_clear(context, &plan);
-  um_core_free(context, times);
   return status;
 }

@@ -37,8 +37,7 @@ struct um_model_tables {
                                          those are means over a turn, a table of its own */
   struct um_environment_sample *load_sample; /* [loads->ntime] what the rows were traced at */
   size_t *load_row;                          /* [nobs * nsub] row of `seen` at each instant */
-  bool sparse; /* rows of `loads` stand as they need to, `seen` has those of the instants, linear
-                  between them */
+  bool sparse; /* observed instants are no rows of `loads`; `seen` has them, linear between rows */
   double spin_period;                          /* over which `loads` are means [s]; 0: over none */
   struct um_irradiation_loads *spin_variation; /* rows of `seen`: struct um_irradiation_spin; NULL
                                           where `loads` are no means */

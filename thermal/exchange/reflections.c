@@ -1,7 +1,7 @@
 /* All orders of diffuse reflection between patches,
  *
- *   B = S (1 - r A^-1 S)^-1,   B x = S (x + R y),   M y = R S x,   M = 1 - R S R,   R = sqrt(r /
- * A).
+ *   B = S (1 - r A^-1 S)^-1,   B x = S (x + R y),   M y = R S x,   M = 1 - R S R,
+ *   R = sqrt(r / A).
  *
  * M is symmetric and positive definite where light finds a way out of every room or into one of its
  * walls, and its eigenvalues lie within rho of 1, rho the largest share of what leaves a patch that
