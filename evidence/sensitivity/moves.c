@@ -137,22 +137,6 @@ static enum um_status left(struct um_context *context, enum um_status status)
   return UM_OK;
 }
 
-enum um_status um_sensitivity_moves_wanted(struct um_context *context,
-                                           struct um_sensitivity_forward *forward,
-                                           const struct um_sensitivity_move *move, bool *out)
-{
-  struct um_variant v = {0};
-  *out = false;
-  if (!um_sensitivity_moves_heat(move->effect)) return UM_OK;
-  um_core_quiet_begin(context);
-  enum um_status status = moves_loads(context, forward, move, out);
-  if (status == UM_OK && !*out) status = move_open(context, forward, move, SMALL, &v);
-  if (status == UM_OK && !*out) status = is_wanted(context, forward, &v, out);
-  um_variant_close(context, &v);
-  um_core_quiet_end(context);
-  return left(context, status);
-}
-
 /* Into the batch. */
 static enum um_status take(struct um_context *context, struct um_sensitivity_forward *forward,
                            const struct um_sensitivity_move *move, struct batch *batch)

@@ -11,11 +11,6 @@ bool um_sensitivity_moves_heat(const struct um_effect *effect);
 enum um_status um_sensitivity_moves_possible(struct um_context *context,
                                              const struct um_sensitivity_forward *forward,
                                              bool *out);
-/* *out: is heat of the move to be looked for together with others'? Where loads move, they are not
- * traced for the answer: it is yes. A move that is refused is not. */
-enum um_status um_sensitivity_moves_wanted(struct um_context *context,
-                                           struct um_sensitivity_forward *forward,
-                                           const struct um_sensitivity_move *move, bool *out);
 /* What temperatures, and light by them alone, answer to the moves [n], at the scenario as it
  * stands, all in one run: into the forward's cache. Moves that heat does not feel, that are refused
  * or that um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their

@@ -172,32 +172,16 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   return um_core_progress_step(context, work->heat ? ndone : 0);
 }
 
-/* Moves of a candidate that look for their heat together with others'. */
-static enum um_status count_wanted(struct um_context *context,
-                                   const struct um_sensitivity_point *point,
-                                   const struct um_sensitivity_candidate *c, size_t *out)
+/* Candidates that may move heat, in groups of about HEAT_MOVES moves, in their order. One whose
+ * heat turns out to be none of the group's is left. */
+static void make_groups(struct work *work, size_t count)
 {
   struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
-  size_t n = um_sensitivity_signature_moves(c, move);
-  *out = 0;
-  for (size_t k = 0; k < n; k++) {
-    bool wanted;
-    UM_TRY(um_sensitivity_moves_wanted(context, point->forward, &move[k], &wanted));
-    *out += wanted;
-  }
-  return UM_OK;
-}
-
-/* Candidates that move heat, in groups of about HEAT_MOVES moves, in their order. */
-static enum um_status make_groups(struct um_context *context, struct work *work, size_t count)
-{
   size_t moves = 0, n = 0;
   work->ntask = 0;
   for (size_t i = 0; i < count; i++) {
-    size_t own;
-    UM_TRY(count_wanted(context, work->point, &work->candidate[i], &own));
-    UM_TRY(um_core_progress_step(context, 1));
-    if (own == 0) continue;
+    size_t own = um_sensitivity_signature_moves(&work->candidate[i], move);
+    if (own == 0 || !um_sensitivity_moves_heat(work->candidate[i].effect)) continue;
     if (work->ntask == 0 || moves + own > HEAT_MOVES) {
       work->task[work->ntask++] = (struct task){.first = n};
       moves = 0;
@@ -207,7 +191,6 @@ static enum um_status make_groups(struct um_context *context, struct work *work,
     moves += own;
   }
   work->heat = true;
-  return UM_OK;
 }
 
 /* Every candidate that is left is a task. */
@@ -257,12 +240,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, count, sizeof *work.is_done, &work.is_done));
   for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
-  if (possible) {
-    um_core_progress_begin(context, "effects that move temperatures", count);
-    status = make_groups(context, &work, count);
-    um_core_progress_end(context);
-    if (status != UM_OK) goto done;
-  }
+  if (possible) make_groups(&work, count);
   um_core_progress_begin(context, "signatures of effects", work.ntask + count);
   status = run_tasks(context, &work);
   if (status == UM_OK) {
