@@ -140,6 +140,7 @@ static enum um_status part_of(const struct assembly *a, const struct um_scenario
   struct um_thermal_group_spec *groups = NULL;
   size_t n = 0;
   to->part = index;
+  if (a->model->origin != NULL) to->like = a->model->origin->body;
   to->kind = part->lumped ? UM_THERMAL_LUMPED : UM_THERMAL_SHELL;
   if (part->lumped && part->solid != NULL)
     return um_model_fail(a->context, &part->at, "solid",

@@ -8,6 +8,8 @@
 #include "thermal/network/network.h"
 #include "thermal/network/solids.h"
 
+struct um_thermal_body;
+
 /* What a wall or solid is made of goes with temperature; the ratios outlive the body. */
 struct um_thermal_bulk_law {
   const struct um_thermal_ratio *capacity, *conductivity; /* over those at 300 K; NULL: constant */
@@ -113,6 +115,7 @@ struct um_thermal_part_spec {
   double start_temperature;                   /* [K] */
   const struct um_thermal_group_spec *groups; /* one for every group of the part */
   size_t ngroup;
+  const struct um_thermal_body *like; /* whose tetrahedra serve where they fill the same; NULL */
 };
 /* a, b: "part", "part.group", "part.group.back", "part.front", "part.back" or the interior
  * "part.NAME". The

@@ -119,6 +119,21 @@ static enum um_status add_nodes(struct um_thermal_builder *b, struct um_thermal_
   return UM_OK;
 }
 
+/* Tetrahedra of a part's surface: those of a body at hand, where they fill the same, or TetGen's.
+ */
+static enum um_status fill(const struct um_thermal_builder *b, size_t part, const struct surface *s,
+                           double size, struct um_thermal_tetrahedra **out)
+{
+  const struct um_thermal_body *like = b->part[part]->like;
+  const uint32_t(*facet)[3] = (const uint32_t(*)[3])s->facet;
+  for (size_t i = 0; like != NULL && i < like->nsolid; i++)
+    if (um_thermal_tetrahedra_fill(like->solid[i].mesh, s->vertex, s->nvertex, facet, s->nfacet,
+                                   size))
+      return um_thermal_tetrahedra_copy(b->context, like->solid[i].mesh, out);
+  return um_thermal_tetgen_fill(b->context, um_thermal_builder_part_name(b, part), s->vertex,
+                                s->nvertex, facet, s->nfacet, size, out);
+}
+
 enum um_status um_thermal_solid_fill(struct um_thermal_builder *b, size_t part,
                                      const struct um_thermal_solid_matter *matter,
                                      uint32_t (*corner)[3])
@@ -134,9 +149,7 @@ enum um_status um_thermal_solid_fill(struct um_thermal_builder *b, size_t part,
   *solid = (struct um_thermal_solid){.part = (uint32_t)part};
   UM_CHECK(gather(b, part, &s));
   double size = matter->tetrahedron_size > 0.0 ? matter->tetrahedron_size : s.longest_edge;
-  UM_CHECK(um_thermal_tetgen_fill(b->context, um_thermal_builder_part_name(b, part), s.vertex,
-                                  s.nvertex, (const uint32_t(*)[3])s.facet, s.nfacet, size,
-                                  &solid->mesh));
+  UM_CHECK(fill(b, part, &s, size, &solid->mesh));
   UM_CHECK(um_core_allocate(b->context, solid->mesh->nvertex, sizeof *share, &share));
   UM_CHECK(um_core_allocate(b->context, solid->mesh->nvertex, sizeof *solid->node, &solid->node));
   UM_CHECK(add_nodes(b, solid, matter, b->part[part]->start_temperature, &law, share));

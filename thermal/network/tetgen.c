@@ -189,6 +189,11 @@ enum um_status um_thermal_tetgen_fill_limited(struct um_context *context, const 
   UM_CHECK(run_child(context, &s, switches, limits, &in));
   UM_CHECK(um_core_allocate(context, 1, sizeof *t, &t));
   UM_CHECK(interpret(context, &s, &in, t));
+  UM_CHECK(um_core_allocate(context, nfacet, sizeof *t->facet, &t->facet));
+  memcpy(t->facet, facet, nfacet * sizeof *t->facet);
+  t->nsurface = nvertex;
+  t->nfacet = nfacet;
+  t->edge = edge;
   *out = t;
   t = NULL;
 done:
@@ -207,10 +212,50 @@ enum um_status um_thermal_tetgen_fill(struct um_context *context, const char *na
                                         &limits, out);
 }
 
+bool um_thermal_tetrahedra_fill(const struct um_thermal_tetrahedra *tetrahedra,
+                                const struct um_vec3 *vertex, size_t nvertex,
+                                const uint32_t (*facet)[3], size_t nfacet, double edge)
+{
+  const struct um_thermal_tetrahedra *t = tetrahedra;
+  bool same = t->nsurface == nvertex && t->nfacet == nfacet && t->edge == edge &&
+              memcmp(t->facet, facet, nfacet * sizeof *facet) == 0;
+  for (size_t v = 0; v < nvertex && same; v++)
+    same = t->vertex[v].x == vertex[v].x && t->vertex[v].y == vertex[v].y &&
+           t->vertex[v].z == vertex[v].z;
+  return same;
+}
+
+enum um_status um_thermal_tetrahedra_copy(struct um_context *context,
+                                          const struct um_thermal_tetrahedra *tetrahedra,
+                                          struct um_thermal_tetrahedra **out)
+{
+  enum um_status status;
+  const struct um_thermal_tetrahedra *from = tetrahedra;
+  struct um_thermal_tetrahedra *t = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *t, &t));
+  UM_CHECK(um_core_allocate(context, from->nvertex, sizeof *t->vertex, &t->vertex));
+  UM_CHECK(um_core_allocate(context, from->ntetrahedron, sizeof *t->corner, &t->corner));
+  UM_CHECK(um_core_allocate(context, from->nfacet, sizeof *t->facet, &t->facet));
+  memcpy(t->vertex, from->vertex, from->nvertex * sizeof *t->vertex);
+  memcpy(t->corner, from->corner, from->ntetrahedron * sizeof *t->corner);
+  memcpy(t->facet, from->facet, from->nfacet * sizeof *t->facet);
+  t->nvertex = from->nvertex;
+  t->ntetrahedron = from->ntetrahedron;
+  t->nsurface = from->nsurface;
+  t->nfacet = from->nfacet;
+  t->edge = from->edge;
+  *out = t;
+  t = NULL;
+done:
+  um_thermal_tetrahedra_destroy(context, &t);
+  return status;
+}
+
 void um_thermal_tetrahedra_destroy(struct um_context *context,
                                    struct um_thermal_tetrahedra **tetrahedra)
 {
   if (tetrahedra == NULL || *tetrahedra == NULL) return;
-  UM_FREE(context, (*tetrahedra)->vertex, (*tetrahedra)->corner, *tetrahedra);
+  UM_FREE(context, (*tetrahedra)->vertex, (*tetrahedra)->corner, (*tetrahedra)->facet, *tetrahedra);
   *tetrahedra = NULL;
 }

@@ -1,6 +1,7 @@
 /* Solid parts by tetrahedra: patch test, volume, NAFEMS T2, slab with observed order. */
 #include "tests/thermal/body_help.h"
 #include "thermal/network/builder_impl.h"
+#include "thermal/network/tetgen.h"
 
 /* Patch test on one cube of five tetrahedra and a distorted inner vertex: a linear field leaves
  * nothing on the inner vertex, and dissipates k |grad T|^2 V. Twelve boundary triangles of a cube,
@@ -117,9 +118,40 @@ static void test_slab(void **state)
   NEAR("back face", fine, 0.0, 1.5e-3);
 }
 
+/* Tetrahedra of a body at hand serve a part of the same surface and size, and no other. The one at
+ * hand is marked by a vertex that TetGen would not set. */
+static void test_like(void **state)
+{
+  (void)state;
+  static const struct {
+    double width, size;
+    bool serves;
+  } other[] = {{0.025, 0.0, true}, {0.026, 0.0, false}, {0.025, 0.006, false}};
+  struct help_satellite first = {0};
+  bar(&first, 0.025, 0.0125);
+  help_build(&first, NULL, 0);
+  struct um_thermal_tetrahedra *mark = first.body->solid[0].mesh;
+  assert_true(mark->nvertex > mark->nsurface);
+  mark->vertex[mark->nsurface].x += 1e-6;
+  for (size_t k = 0; k < sizeof other / sizeof other[0]; k++) {
+    struct help_satellite s = {0};
+    bar(&s, other[k].width, 0.0125);
+    s.spec[0].tetrahedron_size = other[k].size;
+    s.spec[0].like = first.body;
+    help_build(&s, NULL, 0);
+    const struct um_thermal_tetrahedra *t = s.body->solid[0].mesh;
+    bool same = t->nvertex == mark->nvertex && t->ntetrahedron == mark->ntetrahedron;
+    for (size_t v = 0; v < t->nvertex && same; v++)
+      same = um_vec3_norm(um_vec3_sub(t->vertex[v], mark->vertex[v])) == 0.0;
+    if (same != other[k].serves) fail_msg("case %zu", k);
+    help_end(&s);
+  }
+  help_end(&first);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_patch), cmocka_unit_test(test_nafems_t2),
-                                     cmocka_unit_test(test_slab)};
+                                     cmocka_unit_test(test_slab), cmocka_unit_test(test_like)};
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
