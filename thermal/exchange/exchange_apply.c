@@ -78,6 +78,22 @@ void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
     heat[p] = UM_STEFAN_BOLTZMANN * um_thermal_between_row(&between[exchange->npose], p, x);
 }
 
+void um_thermal_exchange_apply_lot(const struct um_thermal_exchange *exchange,
+                                   const struct um_thermal_between *between,
+                                   const struct um_thermal_mix *mix,
+                                   const double (*x)[UM_THERMAL_LOT],
+                                   double (*heat)[UM_THERMAL_LOT])
+{
+  for (size_t p = 0; p < exchange->npatch; p++) {
+    memset(heat[p], 0, sizeof heat[p]);
+    if (p >= exchange->noutside)
+      um_thermal_between_row_lot(&between[exchange->npose], p, UM_STEFAN_BOLTZMANN, x, heat[p]);
+    for (size_t k = 0; k < mix->n && p < exchange->noutside; k++)
+      um_thermal_between_row_lot(&between[mix->pose[k]], p, UM_STEFAN_BOLTZMANN * mix->weight[k], x,
+                                 heat[p]);
+  }
+}
+
 /* T^4 of a surface [K^4]. */
 static double power4_of(const struct um_thermal_surface *surface, const double *temperature)
 {

@@ -10,6 +10,7 @@
 #include "thermal/exchange/exchange_maker_impl.h"
 
 #define BLOCK UM_THERMAL_BLOCK
+#define LOT   UM_THERMAL_LOT
 #define MANY  ((size_t)1 << 19) /* entries: 6 MB */
 #define ENTRY 12                /* bytes */
 #define BYTES (BLOCK * sizeof(float) + sizeof(uint32_t))
@@ -97,4 +98,44 @@ double um_thermal_between_row(const struct um_thermal_between *between, size_t p
          sum);
   return between->own[p] * x[p] +
          (((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7])));
+}
+
+/* out += the entries' area times x. */
+UM_WIDE_VECTORS static void entries_lot(const uint32_t *other, const double *area, size_t n,
+                                        double weight, const double (*x)[LOT], double *out)
+{
+  double sum[LOT] = {0.0};
+  for (size_t e = 0; e < n; e++) {
+    const double *of = x[other[e]];
+    for (size_t k = 0; k < LOT; k++) sum[k] += area[e] * of[k];
+  }
+  for (size_t k = 0; k < LOT; k++) out[k] += weight * sum[k];
+}
+
+UM_WIDE_VECTORS static void blocks_lot(const uint32_t *at, const float *value, size_t n,
+                                       double weight, const double (*x)[LOT], double *out)
+{
+  double sum[LOT] = {0.0};
+  for (size_t b = 0; b < n; b++)
+    for (size_t s = 0; s < BLOCK; s++) {
+      double area = (double)value[b * BLOCK + s];
+      const double *of = x[at[b] + s];
+      for (size_t k = 0; k < LOT; k++) sum[k] += area * of[k];
+    }
+  for (size_t k = 0; k < LOT; k++) out[k] += weight * sum[k];
+}
+
+void um_thermal_between_row_lot(const struct um_thermal_between *between, size_t p, double weight,
+                                const double (*x)[LOT], double *out)
+{
+  if (between->first == NULL) {
+    size_t begin = between->begin[p];
+    entries_lot(between->other + begin, between->area + begin, between->begin[p + 1] - begin,
+                weight, x, out);
+    return;
+  }
+  size_t first = between->first[p];
+  for (size_t k = 0; k < LOT; k++) out[k] += weight * between->own[p] * x[p][k];
+  blocks_lot(between->at + first, between->value + first * BLOCK, between->first[p + 1] - first,
+             weight, x, out);
 }

@@ -27,12 +27,16 @@ struct um_thermal_between {
   double *own;   /* [npatch] of a patch with itself [m^2] */
 };
 #define UM_THERMAL_BLOCK 8
+#define UM_THERMAL_LOT   8 /* products that are made side by side */
 
 /* Blocks of rows [0, n), which see each other alone, where these are read faster than entries. */
 enum um_status um_thermal_between_block(struct um_context *context, size_t n,
                                         struct um_thermal_between *between);
 /* Sum over row p. */
 double um_thermal_between_row(const struct um_thermal_between *between, size_t p, const double *x);
+/* out[UM_THERMAL_LOT] += weight times the same, of as many x. */
+void um_thermal_between_row_lot(const struct um_thermal_between *between, size_t p, double weight,
+                                const double (*x)[UM_THERMAL_LOT], double *out);
 
 struct um_thermal_exchange {
   size_t nsurface, npatch, npose;
@@ -69,6 +73,12 @@ void um_thermal_exchange_apply(const struct um_thermal_exchange *exchange,
                                const struct um_thermal_between *between,
                                const struct um_thermal_mix *mix, int threads, const double *x,
                                double *heat);
+/* The same of UM_THERMAL_LOT x side by side, by one thread. */
+void um_thermal_exchange_apply_lot(const struct um_thermal_exchange *exchange,
+                                   const struct um_thermal_between *between,
+                                   const struct um_thermal_mix *mix,
+                                   const double (*x)[UM_THERMAL_LOT],
+                                   double (*heat)[UM_THERMAL_LOT]);
 /* arriving[nsurface] [K]: the fourth power is the mean of what a surface's patch receives of the
  * satellite's own infrared, by total exchange area, reflections and itself included, nodes at
  * temperature[nnode]; over the poses. The surface's own where nothing is received. UM_ERR_MEMORY.

@@ -8,23 +8,24 @@
 
 #include "thermal/solver/system_group.h"
 
-/* What solves with A alone: x[nunknown] <- A^-1 x. */
+/* What solves with A alone: x[count][nunknown] <- A^-1 x. */
 struct um_thermal_inner {
-  enum um_status (*solve)(void *self, double *x);
+  enum um_status (*solve)(void *self, size_t count, double *x);
   void *self;
 };
 
 struct um_thermal_exchange_solver;
 
-enum um_status um_thermal_exchange_solver_create(struct um_thermal_system *system,
+/* lot: right-hand sides that are solved side by side: 1 or UM_THERMAL_LOT. */
+enum um_status um_thermal_exchange_solver_create(struct um_thermal_system *system, size_t lot,
                                                  struct um_thermal_exchange_solver **out);
 void um_thermal_exchange_solver_destroy(struct um_thermal_exchange_solver **solver);
-/* x[nunknown]: b in, the solution out, by flexible GMRES (Saad 1993, SIAM J. Sci. Comput. 14:461)
- * preconditioned with A. value [nnonzero]: of A. The residual falls below tolerance times that of
- * x = 0; UM_ERR_NUMERIC when it does not within 300 products. */
+/* x[count][nunknown]: b in, the solutions out, each by a flexible GMRES of its own (Saad 1993, SIAM
+ * J. Sci. Comput. 14:461) preconditioned with A. value [nnonzero]: of A. Each residual falls below
+ * tolerance times that of x = 0; UM_ERR_NUMERIC when it does not within 300 products. */
 enum um_status um_thermal_exchange_solve(struct um_thermal_exchange_solver *solver,
                                          const struct um_thermal_inner *inner, const double *value,
-                                         double scale, double tolerance, double *x);
+                                         double scale, double tolerance, size_t count, double *x);
 
 /* The same around a SUNLinearSolver of A, which it takes over and frees; *scale is read at every
  * solution. NULL: out of memory. system->exchange is there. */

@@ -36,9 +36,10 @@ static int set_up(SUNLinearSolver solver, SUNMatrix matrix)
   return SUNLinSolSetup(content_of(solver)->inner, matrix);
 }
 
-static enum um_status inner_solve(void *self, double *x)
+static enum um_status inner_solve(void *self, size_t count, double *x)
 {
   struct content *c = self;
+  (void)count; /* 1 */
   size_t bytes = c->system->nunknown * sizeof *x;
   memcpy(N_VGetArrayPointer(c->work), x, bytes);
   int code = SUNLinSolSolve(c->inner, c->matrix, c->answer, c->work, 0.0);
@@ -57,7 +58,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector 
   (void)unused;
   if (to != from) memcpy(to, from, c->system->nunknown * sizeof *to);
   enum um_status status = um_thermal_exchange_solve(c->solver, &inner, SUNSparseMatrix_Data(matrix),
-                                                    *c->scale, *c->tolerance, to);
+                                                    *c->scale, *c->tolerance, 1, to);
   return status == UM_OK ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
 }
 
@@ -99,7 +100,7 @@ SUNLinearSolver um_thermal_exchange_sundials(struct um_thermal_system *system,
   c->work = N_VNew_Serial((sunindextype)system->nunknown, sun);
   c->answer = N_VNew_Serial((sunindextype)system->nunknown, sun);
   if (c->work != NULL && c->answer != NULL &&
-      um_thermal_exchange_solver_create(system, &c->solver) == UM_OK)
+      um_thermal_exchange_solver_create(system, 1, &c->solver) == UM_OK)
     return solver;
   release(solver);
   return NULL;

@@ -92,19 +92,19 @@ static enum um_status memory_fail(struct periodic *periodic)
                       "out of memory in the periodic heat balance");
 }
 
-static enum um_status inner_solve(void *self, double *x)
+static enum um_status inner_solve(void *self, size_t count, double *x)
 {
   struct periodic *periodic = self;
-  return um_thermal_linear_solve(periodic->linear, 1, LINEAR_SHARE, x);
+  return um_thermal_linear_solve(periodic->linear, count, LINEAR_SHARE, x);
 }
 
 /* x <- (X + shift)^-1 x by the factors of the matrix. */
 static enum um_status factored_solve(struct periodic *periodic, double *x)
 {
   const struct um_thermal_inner inner = {inner_solve, periodic};
-  if (periodic->exchange == NULL) return inner_solve(periodic, x);
+  if (periodic->exchange == NULL) return inner_solve(periodic, 1, x);
   return um_thermal_exchange_solve(periodic->exchange, &inner, periodic->matrix, periodic->period,
-                                   EXCHANGE, x);
+                                   EXCHANGE, 1, x);
 }
 
 /* x = (X + shift)^-1 x, factored. */
@@ -292,7 +292,7 @@ static enum um_status storage_create(struct periodic *periodic)
   }
   UM_TRY(um_thermal_linear_create(system, &periodic->linear));
   if (system->exchange != NULL)
-    UM_TRY(um_thermal_exchange_solver_create(system, &periodic->exchange));
+    UM_TRY(um_thermal_exchange_solver_create(system, 1, &periodic->exchange));
   periodic->kinsol = KINCreate(periodic->sun);
   return periodic->kinsol != NULL ? UM_OK : memory_fail(periodic);
 }

@@ -130,7 +130,8 @@ void um_thermal_system_exchange_destroy(struct um_thermal_system *system)
                          x->warm,        x->start,       x->patch,       x->share,
                          x->power4,      x->heat,        x->gain,        x->slope,
                          x->change,      x->cluster,     x->made_inside, x->slope_inside,
-                         x->warm_inside, x->patch_start, x->patch_node,  x->patch_share};
+                         x->warm_inside, x->patch_start, x->patch_node,  x->patch_share,
+                         x->lot,         x->lot_power4,  x->lot_heat};
   for (size_t k = 0; k < sizeof block / sizeof block[0]; k++)
     um_core_free(system->context, block[k]);
   um_core_free(system->context, x);
@@ -190,6 +191,17 @@ static double received(const struct um_thermal_system_exchange *x, size_t node)
   return sum;
 }
 
+/* Has the twin been asked for the same? */
+static bool twin_serves(const struct um_thermal_system *system)
+{
+  const struct um_thermal_system_exchange *x = system->exchange, *twin = x->twin;
+  bool same = twin != NULL && twin->fresh && twin->t == x->t;
+  for (size_t i = 0; i < system->n && same; i++)
+    same = twin->made[i] == x->made[i] &&
+           (x->made_inside == NULL || twin->made_inside[i] == x->made_inside[i]);
+  return same;
+}
+
 double um_thermal_system_exchange_make(struct um_thermal_system *system)
 {
   struct um_thermal_system_exchange *x = system->exchange;
@@ -206,9 +218,10 @@ double um_thermal_system_exchange_make(struct um_thermal_system *system)
   }
   if (same) return 0.0;
   x->fresh = true;
-  gather(system, x->exchange->between, &x->mix, x->made, x->made_inside);
+  bool twin = twin_serves(system);
+  if (!twin) gather(system, x->exchange->between, &x->mix, x->made, x->made_inside);
   for (size_t i = 0; i < system->n; i++) {
-    double gain = received(x, i), change = fabs(gain - x->gain[i]);
+    double gain = twin ? x->twin->gain[i] : received(x, i), change = fabs(gain - x->gain[i]);
     largest = change > largest || isnan(change) ? change : largest;
     x->gain[i] = gain;
   }

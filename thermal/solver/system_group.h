@@ -84,11 +84,16 @@ struct um_thermal_system_exchange {
   double *rest;                               /* [n] other emission in system->space [W/K^4] */
   bool strong;                                /* the tangent has the larger areas alone */
   bool fresh;                                 /* gain is of `made` and mix */
-  double *change, *follow, *warm, *warm_inside; /* [n] scratch of the tangent */
-  double *cluster;                              /* [n] the same, of an eliminated group */
-  struct um_thermal_thread_tuning tuning;       /* of the products */
-  struct um_thermal_mix mix, held;              /* poses at the last state; of the linearisation */
-  double t;                                     /* [s] of mix; NaN: none yet */
+  const struct um_thermal_system_exchange *twin; /* of the same areas: its gain serves where it has
+                                                    the same `made` and mix; borrowed; NULL */
+  double *change, *follow, *warm, *warm_inside;  /* [n] scratch of the tangent */
+  double *cluster;                               /* [n] the same, of an eliminated group */
+  /* the same of UM_THERMAL_LOT answers side by side, reserved where they are wanted */
+  double (*lot)[UM_THERMAL_LOT];                                     /* [n] */
+  double (*lot_power4)[UM_THERMAL_LOT], (*lot_heat)[UM_THERMAL_LOT]; /* [npatch] */
+  struct um_thermal_thread_tuning tuning;                            /* of the products */
+  struct um_thermal_mix mix, held; /* poses at the last state; of the linearisation */
+  double t;                        /* [s] of mix; NaN: none yet */
 };
 
 /* A part of a node's capacity that goes with temperature. */
@@ -338,6 +343,12 @@ void um_thermal_system_exchange_hold(struct um_thermal_system *system, bool stro
  * [1/s] [K], x[nunknown]. */
 void um_thermal_system_exchange_tangent(struct um_thermal_system *system, double factor,
                                         const double *x, double *out);
+
+/* The same of UM_THERMAL_LOT answers, x and out [nunknown]; storage for it. */
+enum um_status um_thermal_system_exchange_reserve_lot(struct um_thermal_system *system);
+void um_thermal_system_exchange_tangent_lot(struct um_thermal_system *system, double factor,
+                                            const double (*x)[UM_THERMAL_LOT],
+                                            double (*out)[UM_THERMAL_LOT]);
 
 /* Change of an eliminated node by the last product [K]. */
 static inline double um_thermal_system_exchange_followed(const struct um_thermal_system *system,

@@ -48,6 +48,9 @@ static enum um_status systems_create(struct um_thermal_sensitivity_run *r,
     const struct um_thermal_solve_options *options = v->options != NULL ? v->options : of->options;
     UM_TRY(um_thermal_system_create(of->context, v->network, v->loads, options, v->start, of->from,
                                     kind, &r->variant[r->nvariant]));
+    struct um_thermal_system_exchange *own = r->variant[r->nvariant]->exchange;
+    if (own != NULL && own->exchange == r->system->exchange->exchange)
+      own->twin = r->system->exchange;
   }
   return UM_OK;
 }
@@ -72,7 +75,8 @@ enum um_status um_thermal_sensitivity_run_create(const struct um_thermal_sensiti
     r->width[c] = c < r->nvariant ? forcings->variant[c].step : 1.0;
   UM_TRY(um_thermal_linear_create(r->system, &r->linear));
   if (r->system->exchange != NULL)
-    UM_TRY(um_thermal_exchange_solver_create(r->system, &r->exchange));
+    UM_TRY(um_thermal_exchange_solver_create(r->system, ncolumn > 1 ? UM_THERMAL_LOT : 1,
+                                             &r->exchange));
   r->n = r->system->nunknown;
   UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->jacobian));
   UM_TRY(um_core_allocate(context, r->system->nnonzero, sizeof(double), &r->matrix));

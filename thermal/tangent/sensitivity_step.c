@@ -93,10 +93,10 @@ static enum um_status factor(struct um_thermal_sensitivity_run *r)
 
 /* J is joined by E, the derivative of what surfaces exchange, which is full: (A - scale E) x = b is
  * iterated with A's factors (exchange_solve.c), E x is a product (system_exchange.c). */
-static enum um_status inner_solve(void *self, double *x)
+static enum um_status inner_solve(void *self, size_t count, double *x)
 {
   struct um_thermal_sensitivity_run *r = self;
-  return um_thermal_linear_solve(r->linear, 1, r->share, x);
+  return um_thermal_linear_solve(r->linear, count, r->share, x);
 }
 
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
@@ -105,9 +105,7 @@ enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r
   if (r->exchange == NULL) return um_thermal_linear_solve(r->linear, r->nactive, share, x);
   const struct um_thermal_inner inner = {inner_solve, r};
   r->share = share;
-  for (size_t c = 0; c < r->nactive; c++)
-    UM_TRY(um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, x + c * r->n));
-  return UM_OK;
+  return um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, r->nactive, x);
 }
 
 static enum um_status solve(struct um_thermal_sensitivity_run *r, double share, double *x)

@@ -27,6 +27,21 @@ static size_t rows_fill(size_t gap, size_t *begin, uint32_t *other, double *area
   return at;
 }
 
+/* Products side by side, of x times 1, 2 .., are those of x, added with their weight. */
+static void lots_compare(const struct um_thermal_between *between, const double *x)
+{
+  static double lot[PATCHES][UM_THERMAL_LOT];
+  for (size_t p = 0; p < PATCHES; p++)
+    for (size_t k = 0; k < UM_THERMAL_LOT; k++) lot[p][k] = (double)(k + 1) * x[p];
+  for (size_t p = 0; p < PATCHES; p += 101) {
+    double sum[UM_THERMAL_LOT], one = um_thermal_between_row(between, p, x);
+    for (size_t k = 0; k < UM_THERMAL_LOT; k++) sum[k] = 7.0;
+    um_thermal_between_row_lot(between, p, 0.25, (const double(*)[UM_THERMAL_LOT])lot, sum);
+    for (size_t k = 0; k < UM_THERMAL_LOT; k++)
+      assert_true(fabs(sum[k] - 7.0 - 0.25 * (double)(k + 1) * one) <= 1e-9);
+  }
+}
+
 /* Of numbers near 1 single precision rounds each to 6e-8 of it: the product of a row with x off by
  * less than that, a row's sum by rounding of double precision alone. */
 static void test_rows(void **state)
@@ -57,6 +72,8 @@ static void test_rows(void **state)
     worst = fmax(worst, fabs(um_thermal_between_row(&fast, p, x) - wanted) / size);
   }
   print_message("%zu entries, rows off by %.2g\n", nentry, worst);
+  lots_compare(&plain, x);
+  lots_compare(&fast, x);
   assert_true(worst > 0.0 && worst <= 6e-8);
   fast.begin = NULL; /* static, of `plain` */
   fast.other = NULL;
