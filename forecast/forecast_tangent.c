@@ -110,7 +110,8 @@ static enum um_status take(struct um_context *context, const struct um_forecast_
   if (status == UM_OK) status = is_wanted(context, base, binding, v, &wanted);
   if (status == UM_OK && wanted) {
     batch->which[batch->count] = which;
-    batch->move[batch->count++] = (struct um_model_thermal_move){v->model, v->tables, step};
+    batch->move[batch->count++] =
+        (struct um_model_thermal_move){.model = v->model, .tables = v->tables, .step = step};
     return UM_OK;
   }
   um_variant_close(context, v);

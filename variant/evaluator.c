@@ -120,6 +120,10 @@ enum um_status um_variant_reaches_geometry(struct um_context *context,
 {
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   struct um_variant v;
+  uint32_t reach = 0;
+  for (size_t i = 0; i < naddition; i++) reach |= um_effects_reach(addition[i].effect);
+  *out = false;
+  if ((reach & (UM_REACH_GEOMETRY | UM_REACH_LIGHT)) == 0) return UM_OK; /* whatever the values */
   enum um_status status = make_model(context, evaluator, &changes, &v);
   *out = status == UM_OK && um_variant_reaching(evaluator, v.model, addition, naddition, NULL) > 0;
   um_variant_close(context, &v);

@@ -1,7 +1,8 @@
 /* Heat, and light by it, of first steps, as many in one run as have room with geometries of their
  * own. What moves the network alone is moved by a thousandth of the step, which keeps curvature
  * out; what moves the loads, which are kept to 24 bits, by the step itself, in which they are
- * linear. */
+ * linear. Heaters that come switch with the scenario's own temperatures: at no power they warm
+ * nothing. */
 #include "evidence/sensitivity/moves_impl.h"
 
 #include <math.h>
@@ -11,6 +12,7 @@
 #include "effects/effects.h"
 
 #define SMALL 1e-3                /* of a step */
+#define FAINT 1e-9                /* of a step: a heater of so little power warms nothing */
 #define BYTES ((size_t)128 << 20) /* that answers of one run may take */
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
@@ -58,6 +60,9 @@ struct batch {
   struct um_model_thermal_move *move; /* [most] */
   struct um_variant *variant;         /* [most] of each, open until the run */
   size_t count, most;
+  struct um_variant base;                    /* of its moves, in place of the scenario */
+  const struct um_sensitivity_move **heater; /* [nheater] moves that are left for a run with one */
+  size_t nheater;
   double tolerance; /* of heat */
 };
 
@@ -137,26 +142,95 @@ static enum um_status left(struct um_context *context, enum um_status status)
   return UM_OK;
 }
 
-/* Into the batch. */
-static enum um_status take(struct um_context *context, struct um_sensitivity_forward *forward,
-                           const struct um_sensitivity_move *move, struct batch *batch)
+/* Its answer is known, and it is in the batch. */
+static void put(struct um_sensitivity_moves *moves, const struct um_sensitivity_move *move,
+                double step, struct batch *batch)
 {
-  struct um_sensitivity_moves *moves = forward->cache->moves;
+  const struct um_variant *v = &batch->variant[batch->count];
+  moves->moved[moves->count++] = (struct um_sensitivity_moved){.move = *move};
+  batch->move[batch->count++] =
+      (struct um_model_thermal_move){v->model, v->tables, step, batch->base.model};
+}
+
+/* Does a thermostat come with the variant, which the scenario has not? */
+static bool switches(const struct um_sensitivity_forward *f, const struct um_variant *v)
+{
+  return um_thermal_network_thermostats(v->model->body->network) >
+         um_thermal_network_thermostats(f->model->body->network);
+}
+
+/* Into the batch, or, of a heater, left for the run of those. loads: they move with it. */
+static enum um_status take(struct um_context *context, struct um_sensitivity_forward *forward,
+                           const struct um_sensitivity_move *move, bool loads, struct batch *batch)
+{
   struct um_variant *v = &batch->variant[batch->count];
-  bool loads = false, wanted = false;
-  if (!um_sensitivity_moves_heat(move->effect)) return UM_OK;
-  *v = (struct um_variant){0};
-  enum um_status status = moves_loads(context, forward, move, &loads);
+  bool wanted = false;
   double share = loads ? 1.0 : SMALL;
-  if (status == UM_OK) status = move_open(context, forward, move, share, v);
+  *v = (struct um_variant){0};
+  enum um_status status = move_open(context, forward, move, share, v);
   if (status == UM_OK) status = is_wanted(context, forward, v, &wanted);
   if (status == UM_OK && wanted) {
-    moves->moved[moves->count++] = (struct um_sensitivity_moved){.move = *move};
-    batch->move[batch->count++] =
-        (struct um_model_thermal_move){v->model, v->tables, share * move->step};
+    put(forward->cache->moves, move, share * move->step, batch);
     return UM_OK;
   }
+  if (status == UM_OK && switches(forward, v)) batch->heater[batch->nheater++] = move;
   um_variant_close(context, v);
+  return left(context, status);
+}
+
+/* Moves [n] that move the loads, or those that do not. A run of those that do ends where their
+ * loads fill the memory, which the others need not wait for. */
+static enum um_status take_all(struct um_context *context, struct um_sensitivity_forward *forward,
+                               const struct um_sensitivity_move *move, size_t n, bool loads,
+                               struct batch *batch)
+{
+  for (size_t i = 0; i < n; i++) {
+    bool own = false;
+    if (!um_sensitivity_moves_heat(move[i].effect)) continue;
+    UM_TRY(left(context, moves_loads(context, forward, &move[i], &own)));
+    if (own != loads) continue;
+    UM_TRY(take(context, forward, &move[i], loads, batch));
+    if (batch->count == batch->most || um_variant_evaluator_is_full(forward->evaluator))
+      UM_TRY(batch_end(context, forward, batch));
+  }
+  return UM_OK;
+}
+
+/* The variant of all heaters together, each so faint that it warms nothing; `which` has a share of
+ * its step. */
+static enum um_status heaters_open(struct um_context *context,
+                                   struct um_sensitivity_forward *forward,
+                                   const struct batch *batch, size_t which, struct um_variant *v)
+{
+  struct um_model_addition *a;
+  UM_TRY(um_core_allocate(context, batch->nheater, sizeof *a, &a));
+  for (size_t i = 0; i < batch->nheater; i++)
+    a[i] = addition_of(batch->heater[i], i == which ? SMALL : FAINT);
+  const struct um_model_changes changes = {.addition = a, .naddition = batch->nheater};
+  enum um_status status = um_variant_open(context, forward->evaluator, &changes, NULL, v);
+  um_core_free(context, a);
+  return status;
+}
+
+/* The run of heaters that come: along the scenario with all of them, faint, they switch where its
+ * temperatures pass their thresholds. */
+static enum um_status heaters_find(struct um_context *context,
+                                   struct um_sensitivity_forward *forward, struct batch *batch)
+{
+  struct um_sensitivity_moves *moves = forward->cache->moves;
+  if (batch->nheater == 0) return UM_OK;
+  enum um_status status = heaters_open(context, forward, batch, SIZE_MAX, &batch->base);
+  for (size_t i = 0; i < batch->nheater && status == UM_OK; i++) {
+    struct um_variant *v = &batch->variant[batch->count];
+    *v = (struct um_variant){0};
+    status = heaters_open(context, forward, batch, i, v);
+    if (status == UM_OK) put(moves, batch->heater[i], SMALL * batch->heater[i]->step, batch);
+    if (status != UM_OK) um_variant_close(context, v);
+    if (batch->count == batch->most) UM_TRY(batch_end(context, forward, batch));
+  }
+  if (status == UM_OK) return batch_end(context, forward, batch);
+  moves->count -= batch->count;
+  batch_clear(context, batch);
   return left(context, status);
 }
 
@@ -177,16 +251,16 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *moves->run, &moves->run));
   UM_CHECK(um_core_allocate(context, n, sizeof *batch.move, &batch.move));
   UM_CHECK(um_core_allocate(context, n, sizeof *batch.variant, &batch.variant));
-  for (size_t i = 0; i < n; i++) {
-    UM_CHECK(take(context, forward, &move[i], &batch));
-    if (batch.count == batch.most || um_variant_evaluator_is_full(forward->evaluator))
-      UM_CHECK(batch_end(context, forward, &batch));
-  }
+  UM_CHECK(um_core_allocate(context, n, sizeof(void *), &batch.heater));
+  UM_CHECK(take_all(context, forward, move, n, false, &batch));
+  UM_CHECK(take_all(context, forward, move, n, true, &batch));
   UM_CHECK(batch_end(context, forward, &batch));
+  UM_CHECK(heaters_find(context, forward, &batch));
 done:
   um_core_quiet_end(context);
   batch_clear(context, &batch);
-  UM_FREE(context, batch.move, batch.variant);
+  um_variant_close(context, &batch.base);
+  UM_FREE(context, batch.move, batch.variant, batch.heater);
   if (status != UM_OK) um_sensitivity_moves_clear(context, forward);
   forward->seconds += omp_get_wtime() - begin;
   return status;

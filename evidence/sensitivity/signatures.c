@@ -13,7 +13,7 @@
 #include "evidence/sensitivity/signature_impl.h"
 #include "variant/many.h"
 
-#define HEAT_MOVES 32 /* moves in one run of heat */
+#define HEAT_MOVES 64 /* moves in one run of heat */
 
 /* Candidates that look for their heat together, or one candidate. */
 struct task {

@@ -26,28 +26,38 @@ static bool grids_equal(const struct um_irradiation_loads *a, const struct um_ir
                     (a->nedge == 0 || memcmp(a->edge, b->edge, a->nedge * sizeof *a->edge) == 0));
 }
 
-enum um_status um_model_thermal_sensitivity_is_applicable(
-    struct um_context *context, const struct um_model_thermal_solution *heat,
-    const struct um_model *model, const struct um_model_tables *tables, bool *out)
+/* base: what `model` was made from. */
+static bool values_differ_alone(const struct um_model_thermal_solution *heat,
+                                const struct um_model *base, const struct um_model *model,
+                                const struct um_model_tables *tables)
 {
-  (void)context;
   struct um_thermal_solve_options options = um_model_heat_options(model);
   const struct um_scenario_thermal *a = heat->model->scenario->thermal,
                                    *b = model->scenario->thermal;
   const struct um_model_tables *own = heat->tables;
   struct um_thermal_exchange_options x = um_model_exchange_options(heat->model),
                                      y = um_model_exchange_options(model);
-  *out = !own->points && !tables->points && own->spin_variation == NULL &&
+  return !own->points && !tables->points && own->spin_variation == NULL &&
          tables->spin_variation == NULL && (a->start != UM_START_PERIODIC || !isnan(own->period)) &&
          a->start == b->start && um_model_heat_options_equal(&options, &heat->solver.options) &&
          um_model_times_equal(own, tables) && grids_equal(own->loads, tables->loads) &&
-         um_thermal_network_thermostats(model->body->network) == 0 &&
-         um_thermal_network_structure_equal(heat->model->body->network, model->body->network) &&
+         um_thermal_network_nodes(heat->model->body->network) ==
+             um_thermal_network_nodes(base->body->network) &&
+         um_thermal_network_thermostats(heat->model->body->network) == 0 &&
+         um_thermal_network_structure_equal(base->body->network, model->body->network) &&
          x.infrared == y.infrared && x.solar == y.solar &&
          um_model_view_factors_equal(own->view_factors, tables->view_factors) &&
          um_geometry_mesh(heat->model->geometry)->nsurface ==
              um_geometry_mesh(model->geometry)->nsurface &&
          um_model_start_offset_equal(heat->model, model);
+}
+
+enum um_status um_model_thermal_sensitivity_is_applicable(
+    struct um_context *context, const struct um_model_thermal_solution *heat,
+    const struct um_model *model, const struct um_model_tables *tables, bool *out)
+{
+  (void)context;
+  *out = values_differ_alone(heat, heat->model, model, tables);
   return UM_OK;
 }
 
@@ -58,6 +68,7 @@ struct work {
   const struct um_model_thermal_solution *heat;
   double tolerance;
   struct um_model_solver_options *solver; /* [nmove] */
+  const struct um_model *base;            /* of the moves */
   struct um_thermal_variant *variant;     /* [nmove] */
   double *begin;                          /* [nmove][nnode] start temperatures of the moved [K] */
   double *start;                          /* [nmove][nnode] S of a periodic start */
@@ -80,10 +91,8 @@ static enum um_status variants_make(struct work *w, const struct um_model_therma
   const struct um_model_thermal_solution *heat = w->heat;
   const struct um_model_heat_like like = {heat->model, heat->tables, &heat->solver};
   for (size_t k = 0; k < nmove; k++) {
-    bool applicable;
-    UM_TRY(um_model_thermal_sensitivity_is_applicable(w->context, heat, move[k].model,
-                                                      move[k].tables, &applicable));
-    if (!applicable)
+    if (move[k].base != move[0].base ||
+        !values_differ_alone(heat, w->base, move[k].model, move[k].tables))
       return um_core_fail(w->context, UM_ERR_INPUT,
                           "heat sensitivity %zu: the model has other nodes, heaters, times or "
                           "views; accepted: the base's, with other values",
@@ -107,7 +116,7 @@ static enum um_status follow(struct work *w)
 {
   const struct um_model_thermal_solution *heat = w->heat;
   const struct um_model_tables *p = heat->tables;
-  const struct um_thermal_network *network = heat->model->body->network;
+  const struct um_thermal_network *network = w->base->body->network;
   const struct um_thermal_forcings forcings = {.variant = w->variant, .nvariant = w->to->nmove};
   struct um_thermal_sensitivity_options how = {.tolerance = w->tolerance};
   if (heat->model->scenario->thermal->start == UM_START_PERIODIC) {
@@ -129,8 +138,10 @@ enum um_status um_model_thermal_sensitivity_create(struct um_context *context,
 {
   enum um_status status;
   size_t n = um_thermal_network_nodes(heat->model->body->network);
-  struct work w = {
-      .context = context, .heat = heat, .tolerance = tolerance > 0.0 ? tolerance : TOLERANCE};
+  struct work w = {.context = context,
+                   .heat = heat,
+                   .base = nmove > 0 && move[0].base != NULL ? move[0].base : heat->model,
+                   .tolerance = tolerance > 0.0 ? tolerance : TOLERANCE};
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *w.to, &w.to));
   *w.to = (struct um_model_thermal_sensitivity){
@@ -202,7 +213,6 @@ enum um_status um_model_thermal_solution_move(
     struct um_model_thermal_solution **out)
 {
   enum um_status status;
-  const struct um_model_heat_like like = {heat->model, heat->tables, &heat->solver};
   const float *s = sensitivity->value + which * sensitivity->nrow * sensitivity->nnode;
   struct um_model_thermal_solution *moved = NULL;
   *out = NULL;
@@ -211,8 +221,9 @@ enum um_status um_model_thermal_solution_move(
       .model = model,
       .tables = tables,
       .periodic_distance = heat->periodic_distance,
+      .moved = true,
       .run = {.before = heat->run.before, .from = heat->run.from}};
-  UM_CHECK(um_model_solver_options_moved(context, model, tables, &like, &moved->solver));
+  UM_CHECK(um_model_solver_options_begin(context, model, tables, &moved->solver));
   moved->solver.options.tolerance_factor = heat->solver.options.tolerance_factor;
   UM_CHECK(um_core_allocate(context, 1, sizeof *moved->run.history, &moved->run.history));
   UM_CHECK(history_move(context, heat->run.history, s, step, moved->run.history));

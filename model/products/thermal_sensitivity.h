@@ -27,6 +27,10 @@ struct um_model_thermal_move {
   const struct um_model *model;
   const struct um_model_tables *tables;
   double step;
+  /* What `model` was made from, where that is not heat's own model: heat's with thermostats of
+     hardly any power, which switch where its temperatures pass them. Of all moves of a call the
+     same. NULL: heat's own. */
+  const struct um_model *base;
 };
 
 /* Answers of all nodes at all instants of a run. */
@@ -47,8 +51,8 @@ void um_model_thermal_sensitivity_destroy(struct um_context *context,
                                           struct um_model_thermal_sensitivity **sensitivity);
 
 /* Temperatures of `model`, which parameter `which` has moved by `step` [its unit], from those of
- * heat: for light and places; what flows is computed at these temperatures, the audit is heat's
- * own. UM_ERR_NUMERIC where a temperature would fall to 0 K. The caller destroys. */
+ * heat: for light and places; it has no exchange between surfaces, so that what flows is not known,
+ * and heat's audit. UM_ERR_NUMERIC where a temperature would fall to 0 K. The caller destroys. */
 enum um_status um_model_thermal_solution_move(
     struct um_context *context, const struct um_model_thermal_solution *heat,
     const struct um_model_thermal_sensitivity *sensitivity, size_t which, double step,

@@ -128,6 +128,9 @@ enum um_status um_model_run_heat(struct um_context *context, const struct um_mod
   const struct um_thermal_body *body = model->body;
   struct um_thermal_heat *node = NULL;
   double *share = NULL;
+  if (heat->moved)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "heats of temperatures that a sensitivity has moved; accepted: of a run");
   UM_CHECK(um_core_allocate(context, h->nnode, sizeof *node, &node));
   UM_CHECK(shares_of(context, body, &share));
   UM_CHECK(um_core_allocate(context, tables->nobs * result->nplace, sizeof *result->heat,

@@ -59,10 +59,10 @@ static bool sunlight_equal(const struct um_model_heat_like *like, const struct u
          um_thermal_network_solar_equal(like->model->body->network, model->body->network);
 }
 
-/* All but the exchange. */
-static enum um_status begin(struct um_context *context, const struct um_model *model,
-                            const struct um_model_tables *tables,
-                            struct um_model_solver_options *out)
+enum um_status um_model_solver_options_begin(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model_tables *tables,
+                                             struct um_model_solver_options *out)
 {
   *out = (struct um_model_solver_options){.options = um_model_heat_options(model)};
   if (!tables->points) UM_TRY(um_model_aging_create(context, model, tables->loads, &out->aging));
@@ -101,7 +101,7 @@ enum um_status um_model_solver_options_make(struct um_context *context,
                                             const struct um_model_heat_like *like,
                                             struct um_model_solver_options *out)
 {
-  UM_TRY(begin(context, model, tables, out));
+  UM_TRY(um_model_solver_options_begin(context, model, tables, out));
   return exchange_make(context, model, tables, like, out);
 }
 
@@ -111,7 +111,7 @@ enum um_status um_model_solver_options_moved(struct um_context *context,
                                              const struct um_model_heat_like *like,
                                              struct um_model_solver_options *out)
 {
-  UM_TRY(begin(context, model, tables, out));
+  UM_TRY(um_model_solver_options_begin(context, model, tables, out));
   if (!exchange_is_compatible(like, model, tables, out->aging))
     return exchange_make(context, model, tables, like, out);
   out->options.exchange = like->solver->options.exchange;

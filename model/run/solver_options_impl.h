@@ -36,6 +36,11 @@ enum um_status um_model_solver_options_moved(struct um_context *context,
                                              const struct um_model_tables *tables,
                                              const struct um_model_heat_like *like,
                                              struct um_model_solver_options *out);
+/* All but the exchange. */
+enum um_status um_model_solver_options_begin(struct um_context *context,
+                                             const struct um_model *model,
+                                             const struct um_model_tables *tables,
+                                             struct um_model_solver_options *out);
 /* Emittances of an exchange that are the same [1]: a surface that receives nothing else is then
  * within 40 mK at 300 K. */
 #define UM_MODEL_SAME_EMITTANCE 5e-4

@@ -22,6 +22,7 @@ struct um_model_thermal_solution {
   struct um_model_solver_options solver;
   double *start;    /* [nnode] start temperatures [K] */
   double *mean;     /* [nnode] over the orbit of a periodic start, of the fourth power [K] */
+  bool moved;       /* by a sensitivity, not solved: it has no exchange between surfaces */
   double *residual; /* [nnode] what the orbit's mean balance leaves there [W]; NULL: not asked */
   double periodic_distance; /* what the periodic start left [K]; NaN when isothermal */
   double

@@ -64,8 +64,8 @@ static struct um_model_thermal_sensitivity *tangent(const struct bench *bench,
   double begin = bench_cpu();
   for (size_t k = 0; k < n; k++) {
     open_moved(bench, evaluator, &parameters[k], SMALL, NULL, &variant[k]);
-    move[k] = (struct um_model_thermal_move){variant[k].model, variant[k].tables,
-                                             SMALL * parameters[k].step};
+    move[k] = (struct um_model_thermal_move){
+        .model = variant[k].model, .tables = variant[k].tables, .step = SMALL * parameters[k].step};
   }
   bench_must(bench,
              um_model_thermal_sensitivity_create(bench->context, base->heat, move, n, 0.0, &found));

@@ -2,6 +2,7 @@
  */
 #include "evidence/sensitivity/candidates.h"
 #include "evidence/sensitivity/forward_impl.h"
+#include "evidence/sensitivity/moves_impl.h"
 #include "model/scenario/scenario_read.h"
 #include "tests/evidence/sensitivity/forward_test.h"
 
@@ -187,6 +188,61 @@ static void assert_signature(struct um_sensitivity_forward *f, const double *lig
     if (f->observations.channel[j] == f->observations.channel[1])
       assert_close(column[j] / light[j], column[1] / light[1], 1e-6 * fabs(column[1] / light[1]));
   um_sensitivity_candidates_destroy(context, &all);
+}
+
+/* Between the coldest and the warmest that the model says of a place's temperature [K]. */
+static double halfway(const struct um_sensitivity_forward *f, const char *place)
+{
+  double low = INFINITY, high = 0.0;
+  for (size_t j = 0; j < f->observations.count; j++) {
+    const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
+    if (c->quantity != UM_QUANTITY_TEMPERATURE || strcmp(c->of, place) != 0) continue;
+    low = fmin(low, f->cache->base[j]);
+    high = fmax(high, f->cache->base[j]);
+  }
+  assert_true(low < high);
+  return 0.5 * (low + high);
+}
+
+/* Heaters that come are found together, without a run: each as if it came alone, by what a faint
+ * one of half a watt does in a run of its own. */
+static void test_heaters(void **state)
+{
+  (void)state;
+  static const char *const tight[] = {"thermal.accuracy_K=0.0005"};
+  static const char *const place[] = {"panel", "bus.interior"};
+  static const char *const seen[] = {"panel.front", "bus.interior"};
+  const struct um_model_options options = {.overrides = tight, .noverride = 1};
+  struct um_sensitivity_move move[2];
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(&options, m);
+  for (int k = 0; k < 2; k++)
+    move[k] = (struct um_sensitivity_move){.effect = um_effects_find("heater"),
+                                           .target = place[k],
+                                           .at = {0.0, halfway(f, seen[k]), 2.0},
+                                           .step = 10.0};
+  assert_ok(um_sensitivity_moves_find(context, f, move, 2, 1e-4));
+  assert_int_equal(f->cache->moves->count, 2);
+  for (int k = 0; k < 2; k++) {
+    double value[48], run[48], largest = 0.0, worst = 0.0;
+    struct um_model_addition a = addition_of("heater", place[k], 0.5);
+    memcpy(a.value + 1, move[k].at + 1, 2 * sizeof *a.value);
+    assert_ok(um_sensitivity_forward_evaluate_move(context, f, &move[k], value));
+    assert_true(f->cache->moved_heat);
+    assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, run));
+    for (size_t j = 0; j < f->observations.count; j++) {
+      if (m->channel[f->observations.channel[j]].quantity != UM_QUANTITY_TEMPERATURE) continue;
+      double base = f->cache->base[j], truth = (run[j] - base) / 0.5;
+      largest = fmax(largest, fabs(truth));
+      worst = fmax(worst, fabs((value[j] - base) / move[k].step - truth));
+    }
+    print_message("a heater of %s: %.3f K a watt, off by %.2f of it\n", place[k], largest,
+                  worst / largest);
+    assert_true(largest > 0.01 && worst < 0.05 * largest);
+  }
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
 }
 
 /* A change in two parts: held, temperatures are the scenario's; of heat alone, those of the whole.
@@ -451,6 +507,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_same_bits, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_periodic, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_heaters, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_parts, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_few_paths, model_set_up, model_tear_down),
       cmocka_unit_test(test_correction),

@@ -169,7 +169,8 @@ static void differences(const struct um_model_options *options, const struct mov
   for (size_t k = 0; k < nmove; k++) {
     double step = moves_of[k].small * moves_of[k].width;
     small[k] = variant(&base, &moves_of[k], step);
-    move[k] = (struct um_model_thermal_move){small[k].model, small[k].tables, step};
+    move[k] = (struct um_model_thermal_move){
+        .model = small[k].model, .tables = small[k].tables, .step = step};
     assert_int_equal(um_model_thermal_sensitivity_is_applicable(context, heat, small[k].model,
                                                                 small[k].tables, &applicable),
                      UM_OK);
@@ -241,7 +242,7 @@ static void test_light(void **state)
   struct um_optics_lightcurve *light, *side[2], *linear;
   heat = world_solved(&options, 3.0, &base);
   struct world w = variant(&base, &power, 1e-2);
-  const struct um_model_thermal_move move = {w.model, w.tables, 1e-2};
+  const struct um_model_thermal_move move = {.model = w.model, .tables = w.tables, .step = 1e-2};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(um_model_light_sensitivity_create(context, s, &by_heat), UM_OK);
   assert_int_equal(um_model_run_light(context, base.model, base.tables, heat, &light), UM_OK);
@@ -280,6 +281,62 @@ static void test_light(void **state)
   world_release(&base);
 }
 
+/* A heater that comes, along a base that has it with hardly any power, against a run with 2 W of
+ * it: it switches in the pass, once, where the wall that it warms grows cold. */
+static void test_heater(void **state)
+{
+  (void)state;
+  static const char *const overrides[] = {"time.step_s=20", "time.exposure_s=0"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 2};
+  const double power = 2.0, faint = 1e-9;
+  struct um_model_thermal_solution *heat, *moved;
+  struct um_model_thermal_sensitivity *s;
+  struct um_thermal_history *h[2];
+  struct world base = {0}, with[3];
+  heat = world_solved(&options, MATRIX_FACTOR, &base);
+  const struct um_thermal_history *own = heat->run.history;
+  size_t place = um_thermal_body_place_find(base.model->body, "array");
+  assert_true(place != (size_t)-1);
+  size_t node = base.model->body->place[place].node[0], last = (own->ntime - 1) * own->nnode;
+  double warm = own->temperature[node], cold = own->temperature[last + node];
+  assert_true(warm > cold + 20.0);
+  struct um_model_addition a = {.effect = um_effects_find("heater"), .target = "array"};
+  const struct um_model_changes changes = {.addition = &a, .naddition = 1};
+  a.value[1] = 0.5 * (warm + cold);
+  a.value[2] = 2.0;
+  for (int k = 0; k < 3; k++) {
+    a.value[0] = k == 0 ? faint : k == 1 ? 1e-3 * power : power;
+    with[k] = (struct world){.tables = base.tables, .borrowed = true};
+    assert_int_equal(um_model_variant_create(context, base.model, &changes, &with[k].model), UM_OK);
+  }
+  const struct um_model_thermal_move move = {
+      .model = with[1].model, .tables = base.tables, .step = 1e-3 * power, .base = with[0].model};
+  assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
+  assert_int_equal(um_model_thermal_solution_move(context, heat, s, 0, power, with[2].model,
+                                                  base.tables, &moved),
+                   UM_OK);
+  for (int k = 0; k < 2; k++)
+    h[k] = solved(k == 0 ? &base : &with[2], heat,
+                  k == 0 ? heat->start : moved->run.history->temperature);
+  double largest = 0.0, worst = 0.0, begin = 0.0;
+  for (size_t i = 0; i < own->ntime * own->nnode; i++) {
+    double truth = h[1]->temperature[i] - h[0]->temperature[i];
+    largest = fmax(largest, fabs(truth));
+    if (i < own->nnode) begin = fmax(begin, fabs(truth));
+    worst = fmax(worst, fabs(moved->run.history->temperature[i] - own->temperature[i] - truth));
+  }
+  print_message("heater: at most %.4f K, %.4f K at the start, off by %.1e of it\n", largest, begin,
+                worst / largest);
+  assert_true(largest > 2.0 * begin);
+  assert_true(worst <= 2e-3 * largest + PERIODIC);
+  for (int k = 0; k < 2; k++) um_thermal_history_destroy(context, &h[k]);
+  um_model_thermal_solution_destroy(context, &moved);
+  um_model_thermal_sensitivity_destroy(context, &s);
+  um_model_thermal_solution_destroy(context, &heat);
+  for (int k = 0; k < 3; k++) world_release(&with[k]);
+  world_release(&base);
+}
+
 /* Temperatures again, of walls in many facets, each of which sees others. */
 static void test_many_patches(void **state)
 {
@@ -308,7 +365,7 @@ static void test_refused(void **state)
   heat = world_solved(&options, 0.6, &base);
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     struct world w = variant(&base, &others[k], others[k].width);
-    const struct um_model_thermal_move move = {w.model, w.tables, 1.0};
+    const struct um_model_thermal_move move = {.model = w.model, .tables = w.tables, .step = 1.0};
     bool applicable;
     assert_int_equal(
         um_model_thermal_sensitivity_is_applicable(context, heat, w.model, w.tables, &applicable),
@@ -325,7 +382,7 @@ static void test_refused(void **state)
   }
   const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
   struct world w = variant(&base, &power, 1e-3);
-  const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
+  const struct um_model_thermal_move move = {.model = w.model, .tables = w.tables, .step = 1e-3};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(
       um_model_thermal_solution_move(context, heat, s, 0, -1e5, w.model, w.tables, &moved),
@@ -379,7 +436,7 @@ static void test_start_offset(void **state)
   heat = world_solved(&options, MATRIX_FACTOR, &base);
   assert_non_null(base.model->start_offset);
   struct world w = variant(&base, &power, 1e-3);
-  const struct um_model_thermal_move move = {w.model, w.tables, 1e-3};
+  const struct um_model_thermal_move move = {.model = w.model, .tables = w.tables, .step = 1e-3};
   assert_int_equal(um_model_thermal_sensitivity_create(context, heat, &move, 1, 0.0, &s), UM_OK);
   assert_int_equal(
       um_model_thermal_solution_move(context, heat, s, 0, 1.0, w.model, w.tables, &moved), UM_OK);
@@ -401,7 +458,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_differences),  cmocka_unit_test(test_mirrors),
       cmocka_unit_test(test_many_patches), cmocka_unit_test(test_light),
-      cmocka_unit_test(test_refused),      cmocka_unit_test(test_left_to_runs),
-      cmocka_unit_test(test_start_offset)};
+      cmocka_unit_test(test_heater),       cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_left_to_runs), cmocka_unit_test(test_start_offset)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

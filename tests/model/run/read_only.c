@@ -163,7 +163,7 @@ static enum um_status move(struct work *w)
   struct um_model_thermal_sensitivity *sensitivity = NULL;
   struct um_model_thermal_solution *heat = NULL;
   UM_CHECK(variant(w, "internal_power", "bus", &step, 1, &model));
-  const struct um_model_thermal_move of = {model, s->tables, step};
+  const struct um_model_thermal_move of = {.model = model, .tables = s->tables, .step = step};
   UM_CHECK(um_model_thermal_sensitivity_create(w->context, s->heat, &of, 1, 0.0, &sensitivity));
   UM_CHECK(um_model_thermal_solution_move(w->context, s->heat, sensitivity, 0, 1e3 * step, model,
                                           s->tables, &heat));
