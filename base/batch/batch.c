@@ -34,7 +34,7 @@ enum um_status um_batch_open(struct um_context *context, const struct um_batch_t
   batch->task = *task;
   UM_CHECK(um_core_strdup(context, task->folder, &batch->folder));
   batch->task.folder = batch->folder;
-  UM_CHECK(um_batch_ranks_look(context, &batch->several, &batch->rank));
+  if (!task->alone) UM_CHECK(um_batch_ranks_look(context, &batch->several, &batch->rank));
   UM_CHECK(um_batch_index_create(context, task->work.ncoordinate, &batch->index));
   if (um_batch_leads(batch))
     UM_CHECK(um_batch_records_open(context, &batch->task, note_record, batch, &batch->records));

@@ -29,7 +29,7 @@ enum um_status um_batch_keep(struct um_context *context, struct um_batch *batch,
   return UM_OK;
 }
 
-static double now(void)
+static double seconds(void)
 {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
@@ -51,28 +51,37 @@ static enum um_status compute_one(struct um_context *context, struct um_batch *b
   return status;
 }
 
-enum um_status um_batch_tell(struct um_context *context, struct um_batch *batch,
-                             struct um_batch_done *done, bool last)
+enum um_status um_batch_sync(struct um_context *context, struct um_batch *batch, bool now,
+                             bool *synced)
 {
-  double t = now();
-  if (done->unsaid == 0 || (!last && t - done->synced < SYNC_EVERY))
-    return um_core_progress_step(context, 0);
-  UM_TRY(um_batch_records_sync(context, batch->records));
-  size_t steps = done->unsaid;
-  *done = (struct um_batch_done){.synced = t};
-  return um_core_progress_step(context, steps);
+  double t = seconds();
+  *synced = now || t - batch->synced >= SYNC_EVERY;
+  if (!*synced) return UM_OK;
+  batch->synced = t;
+  return um_batch_records_sync(context, batch->records);
+}
+
+enum um_status um_batch_tell(struct um_context *context, struct um_batch *batch, size_t *unsaid,
+                             bool last)
+{
+  bool synced;
+  size_t steps = *unsaid;
+  if (steps == 0) return um_core_progress_step(context, 0);
+  UM_TRY(um_batch_sync(context, batch, last, &synced));
+  if (synced) *unsaid = 0;
+  return um_core_progress_step(context, synced ? steps : 0);
 }
 
 enum um_status um_batch_run_here(struct um_context *context, struct um_batch *batch)
 {
   enum um_status status = UM_OK;
   double *value;
-  struct um_batch_done told = {0};
+  size_t unsaid = 0;
   UM_TRY(um_core_allocate(context, batch->task.work.nvalue, sizeof *value, &value));
   for (size_t i = 0; i < batch->nqueue; i++) {
     UM_CHECK(compute_one(context, batch, batch->queue[i], value));
-    told.unsaid++;
-    UM_CHECK(um_batch_tell(context, batch, &told, i + 1 == batch->nqueue));
+    unsaid++;
+    UM_CHECK(um_batch_tell(context, batch, &unsaid, i + 1 == batch->nqueue));
   }
 done:
   um_core_free(context, value);

@@ -12,7 +12,7 @@ struct scheduler {
   size_t next;   /* of the queue */
   size_t *again; /* [nagain] points whose worker died, to be handed out again */
   size_t nagain, answered;
-  struct um_batch_done done;
+  size_t unsaid; /* kept, not yet told */
 };
 
 static bool take(struct scheduler *scheduler, size_t *number)
@@ -29,7 +29,7 @@ static bool take(struct scheduler *scheduler, size_t *number)
 static void count(struct scheduler *scheduler)
 {
   scheduler->answered++;
-  scheduler->done.unsaid++;
+  scheduler->unsaid++;
 }
 
 /* A worker died over this point: once more, then no more. */
@@ -77,7 +77,7 @@ static enum um_status work(struct um_context *context, struct scheduler *schedul
                                 answered, scheduler));
     if (batch->ranks != NULL)
       UM_TRY(um_batch_ranks_hear(context, batch->ranks, answered, scheduler));
-    UM_TRY(um_batch_tell(context, batch, &scheduler->done, scheduler->answered == batch->nqueue));
+    UM_TRY(um_batch_tell(context, batch, &scheduler->unsaid, scheduler->answered == batch->nqueue));
   }
   return UM_OK;
 }

@@ -21,6 +21,7 @@ struct um_batch_task {
   um_batch_accepts *accepts; /* a record that is not accepted is none; NULL: all are */
   const char *folder;        /* where records lie; made where it is missing, its parents too */
   bool resume; /* take the records that lie there; without it, records there are an error */
+  bool alone;  /* no ranks serve it: this process computes all, whoever started it */
   size_t share, nshare; /* nshare > 1: of the points asked by each um_batch_run only number
                          * share, share + nshare, ... (from 0); for job arrays. Else 0, 0 */
 };

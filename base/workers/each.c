@@ -72,7 +72,7 @@ static enum um_status by_workers(struct um_context *context, const struct um_wor
                                        .workers = workers};
   UM_CHECK(um_core_allocate(context, each->n, sizeof *work.again, &work.again));
   UM_CHECK(um_core_allocate(context, each->n, sizeof *work.died, &work.died));
-  UM_CHECK(um_workers_pool_create(context, &task, NULL, NULL, &work.pool));
+  UM_CHECK(um_workers_pool_create(context, &task, each->before, each->before_self, &work.pool));
   UM_CHECK(hand_out(context, &work));
 done:
   um_workers_pool_destroy(context, &work.pool);

@@ -1,4 +1,5 @@
-/* Tasks by number, computed by worker processes of this machine. Nothing is kept on disk. */
+/* Tasks by number, computed by worker processes of this machine. Nothing is kept on disk
+ * (base/batch/each.h does). */
 #ifndef UMBRA_WORKERS_EACH_H
 #define UMBRA_WORKERS_EACH_H
 
@@ -18,6 +19,8 @@ struct um_workers_each {
                          enum um_status status, const double *value);
   void *user;
   int workers; /* processes, at most one a task; <= 1: this process computes, by its threads */
+  void (*before)(void *self); /* as of um_workers_pool_create; NULL: nothing */
+  void *before_self;
 };
 
 /* Compute all tasks; each is a step of the progress. A task whose worker dies is computed a second
