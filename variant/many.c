@@ -2,12 +2,12 @@
 #include "variant/many.h"
 
 enum um_status um_variant_tasks(struct um_context *context, struct um_variant_evaluator *evaluator,
-                                const struct um_workers_each *tasks)
+                                struct um_batch *records, const struct um_workers_each *tasks)
 {
   size_t share = tasks->workers > 1 ? (size_t)tasks->workers : 1;
   size_t bound = um_variant_evaluator_bound(evaluator, 0);
   um_variant_evaluator_bound(evaluator, bound / share);
-  enum um_status status = um_workers_each(context, tasks);
+  enum um_status status = um_batch_each(context, records, tasks);
   um_variant_evaluator_bound(evaluator, bound);
   return status;
 }
@@ -56,5 +56,5 @@ enum um_status um_variant_each(struct um_context *context, struct um_variant_eva
   enum um_status status = um_variant_share(context, evaluator, each->heat->start, light);
   um_core_quiet_end(context);
   UM_TRY(status);
-  return um_variant_tasks(context, evaluator, &tasks);
+  return um_variant_tasks(context, evaluator, NULL, &tasks);
 }

@@ -2,14 +2,15 @@
 #ifndef UMBRA_VARIANT_MANY_H
 #define UMBRA_VARIANT_MANY_H
 
-#include "base/workers/each.h"
+#include "base/batch/each.h"
 #include "variant/evaluator.h"
 
-/* um_workers_each of tasks that open variants of the evaluator, whose base is computed: its pages
+/* um_batch_each of tasks that open variants of the evaluator, whose base is computed: its pages
  * are shared by the workers, and what may be kept beside it is divided among them. A variant has
- * the same bits in any worker, so that the result does not depend on their number. */
+ * the same bits in any worker, so that the result does not depend on their number. records: where
+ * answers are kept; NULL: nowhere. */
 enum um_status um_variant_tasks(struct um_context *context, struct um_variant_evaluator *evaluator,
-                                const struct um_workers_each *tasks);
+                                struct um_batch *records, const struct um_workers_each *tasks);
 
 /* Variants to be looked at. Everything is borrowed for the call. */
 struct um_variant_each {

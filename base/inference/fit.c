@@ -184,6 +184,7 @@ void um_inference_fit_pack(const struct um_inference_fit *fit, double *out)
 }
 
 enum um_status um_inference_fit_unpack(struct um_context *context, const double *from,
+                                       size_t nobservation, size_t nparameter,
                                        struct um_inference_fit **out)
 {
   struct array array[ARRAYS];
@@ -192,6 +193,8 @@ enum um_status um_inference_fit_unpack(struct um_context *context, const double 
   *out = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *fit, &fit));
   memcpy(fit, from, sizeof *fit);
+  fit->nobservation = nobservation;
+  fit->nparameter = nparameter;
   fit->x = fit->sigma = fit->covariance = fit->value = fit->residual = fit->jacobian = NULL;
   fit->at_bound = NULL;
   UM_CHECK(reserve(context, fit));

@@ -33,10 +33,11 @@ enum um_status um_inference_fit_create(struct um_context *context,
 void um_inference_fit_destroy(struct um_context *context, struct um_inference_fit **fit);
 
 /* A fit as numbers, for another process of this program: how many one of these sizes takes; into
- * out [packed]; back from there, UM_ERR_MEMORY, the caller destroys. */
+ * out [packed]; back from there, of the same sizes, UM_ERR_MEMORY, the caller destroys. */
 size_t um_inference_fit_packed(size_t nobservation, size_t nparameter);
 void um_inference_fit_pack(const struct um_inference_fit *fit, double *out);
 enum um_status um_inference_fit_unpack(struct um_context *context, const double *from,
+                                       size_t nobservation, size_t nparameter,
                                        struct um_inference_fit **out);
 
 /* Chi-square of observations that were not used: for every fold the parameters are fitted anew

@@ -1,6 +1,5 @@
 /* Non-linear fits of the candidates that the linear model ranks best. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "evidence/diagnosis/policy.h"
@@ -9,7 +8,6 @@
 #include "evidence/diagnosis/trials_impl.h"
 
 #define AT_ONCE 16 /* alternatives, at most */
-#define NAMED   2  /* of what is tried, in its progress */
 
 /* What was found of an alternative; its state is kept where it is the best so far. */
 static enum um_status note(struct um_context *context, const struct um_diagnosis_work *work,
@@ -140,24 +138,6 @@ static enum um_status try_alternatives(struct um_context *context,
   return try_at_once(context, work, state, ahead, at_once, n, best);
 }
 
-/* "fitting emittance:cells, albedo_level and 3 more": what is tried, the best score first. */
-struct tried {
-  char text[200];
-};
-static struct tried say_tried(const struct um_diagnosis_work *work,
-                              struct um_diagnosis_alternative *const *alternative, size_t n)
-{
-  struct tried t;
-  const char *name[NAMED] = {"", ""};
-  for (size_t i = 0; i < n && i < NAMED; i++)
-    name[i] = work->candidates->candidate[alternative[i]->candidate].name;
-  int at =
-      snprintf(t.text, sizeof t.text, "fitting %.38s%s%.38s", name[0], n > 1 ? ", " : "", name[1]);
-  if (n > NAMED && at > 0 && (size_t)at < sizeof t.text)
-    snprintf(t.text + at, sizeof t.text - (size_t)at, " and %zu more", n - NAMED);
-  return t;
-}
-
 /* Those left whose score comes within the evidence of the best one's, the best score first, up to
  * UM_DIAGNOSIS_TIES: the linear model alone does not say that they fit as well. */
 static enum um_status try_ties(struct um_context *context, const struct um_diagnosis_work *work,
@@ -176,12 +156,7 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
       continue;
     tied[n++] = r;
   }
-  if (n == 0) return UM_OK;
-  const struct tried what = say_tried(work, tied, n);
-  um_core_progress_begin(context, what.text, n);
-  enum um_status status = try_at_once(context, work, state, ahead, tied, n, best);
-  um_core_progress_end(context);
-  return status;
+  return try_at_once(context, work, state, ahead, tied, n, best);
 }
 
 /* Alternatives [from, until): those without unidentified parameters first. */
@@ -189,15 +164,8 @@ static enum um_status try_round(struct um_context *context, const struct um_diag
                                 const struct um_diagnosis_state *state, size_t from, size_t until,
                                 struct um_diagnosis_step *step, struct um_diagnosis_state *best)
 {
-  struct um_diagnosis_alternative *first[NAMED];
-  for (size_t i = from; i < until && i < from + NAMED; i++) first[i - from] = &step->alternative[i];
-  const struct tried what = say_tried(work, first, until - from);
-  um_core_progress_begin(context, what.text, until - from);
-  enum um_status status = try_alternatives(context, work, state, false, from, until, step, best);
-  if (status == UM_OK)
-    status = try_alternatives(context, work, state, true, from, until, step, best);
-  um_core_progress_end(context);
-  return status;
+  UM_TRY(try_alternatives(context, work, state, false, from, until, step, best));
+  return try_alternatives(context, work, state, true, from, until, step, best);
 }
 
 /* Fit the best by predicted reduction, in rounds, until one leaves hardly more than noise. */

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "variant/many.h"
-
 void um_diagnosis_additions_at(const struct um_diagnosis_state *state, const double *x,
                                struct um_model_addition *addition)
 {
@@ -33,22 +31,15 @@ struct job {
   double *value;   /* [n][nobservation] */
 };
 
-/* What it took goes before the values. */
-#define EFFORT ((sizeof(struct um_sensitivity_effort) + sizeof(double) - 1) / sizeof(double))
-
 static enum um_status compute(struct um_context *context, void *user, size_t which, double *value)
 {
   const struct job *job = user;
   struct um_diagnosis_evaluation *e = job->evaluation;
-  struct um_sensitivity_forward *f = e->work->forward;
-  const struct um_sensitivity_forward before = *f;
   enum um_status status =
-      um_diagnosis_evaluate(context, e, job->x + which * e->state->nparameter, value + EFFORT);
-  const struct um_sensitivity_effort effort = um_sensitivity_forward_effort(f, &before);
-  memcpy(value, &effort, sizeof effort);
+      um_diagnosis_evaluate(context, e, job->x + which * e->state->nparameter, value);
   if (status != UM_ERR_REFUSED && status != UM_ERR_NUMERIC) return status;
   um_core_message_clear(context);
-  value[EFFORT] = NAN;
+  value[0] = NAN;
   return UM_OK;
 }
 
@@ -57,14 +48,9 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
 {
   (void)context;
   const struct job *job = user;
-  struct um_sensitivity_forward *f = job->evaluation->work->forward;
-  size_t n = f->observations.count;
-  struct um_sensitivity_effort effort;
-  UM_TRY(status);
-  memcpy(&effort, value, sizeof effort);
-  um_sensitivity_forward_effort_add(f, &effort);
-  memcpy(job->value + which * n, value + EFFORT, n * sizeof *value);
-  return UM_OK;
+  size_t n = job->evaluation->work->forward->observations.count;
+  if (status == UM_OK) memcpy(job->value + which * n, value, n * sizeof *value);
+  return status;
 }
 
 enum um_status um_diagnosis_evaluate_all(struct um_context *context, void *user, size_t n,
@@ -73,13 +59,13 @@ enum um_status um_diagnosis_evaluate_all(struct um_context *context, void *user,
   struct um_diagnosis_evaluation *e = user;
   struct job job = {e, x, value};
   const struct um_workers_each tasks = {.n = n,
-                                        .nvalue = EFFORT + e->work->forward->observations.count,
+                                        .nvalue = e->work->forward->observations.count,
                                         .compute = compute,
                                         .done = done,
                                         .user = &job,
                                         .workers = um_core_context_threads(context)};
   um_core_quiet_begin(context); /* its steps are none of the caller's progress */
-  enum um_status status = um_variant_tasks(context, e->work->forward->evaluator, &tasks);
+  enum um_status status = um_sensitivity_forward_tasks(context, e->work->forward, &tasks);
   um_core_quiet_end(context);
   return status;
 }

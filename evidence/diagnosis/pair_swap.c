@@ -177,10 +177,7 @@ static enum um_status swap_with(struct um_context *context, const struct um_diag
   UM_CHECK(um_diagnosis_without(context, work, &less, b, &without));
   UM_CHECK(um_diagnosis_pairs_find(context, work, &without, best, &count));
   count = trials_of(best, count, now, state->fit->bic - UM_DIAGNOSIS_BETTER, trial);
-  um_core_progress_begin(context, "fitting pairs of effects", count);
-  status = um_diagnosis_trials_fit(context, work, &without, trial, count);
-  um_core_progress_end(context);
-  UM_CHECK(status);
+  UM_CHECK(um_diagnosis_trials_fit(context, work, &without, trial, count));
   for (size_t i = 0; i < count; i++) {
     if (trial[i].refused || !(trial[i].state.fit->bic < state->fit->bic - UM_DIAGNOSIS_BETTER))
       continue;

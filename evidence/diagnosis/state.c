@@ -1,5 +1,6 @@
 /* Fits several effects together, as one vector of parameters. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "evidence/diagnosis/policy.h"
@@ -250,11 +251,16 @@ enum um_status um_diagnosis_without(struct um_context *context,
                                     struct um_diagnosis_state *out)
 {
   enum um_status status;
+  char what[80];
   double *jacobian = NULL;
+  snprintf(what, sizeof what, "fitting without %.60s",
+           work->candidates->candidate[state->block[b].candidate].name);
+  um_core_progress_begin(context, what, 0);
   UM_CHECK(um_diagnosis_state_copy(context, state, b, out));
   UM_CHECK(jacobian_without(context, work, state, b, &jacobian));
   UM_CHECK(um_diagnosis_state_fit(context, work, out, NULL, jacobian, INFINITY));
 done:
+  um_core_progress_end(context);
   um_core_free(context, jacobian);
   if (status != UM_OK) um_diagnosis_state_release(context, out);
   return status;

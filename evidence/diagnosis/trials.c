@@ -1,11 +1,13 @@
-/* Fits of a state with candidates added, each a task: a worker sends back the blocks as bytes and
- * the numbers of the fit. */
+/* Fits of a state with candidates added, each a task: a worker sends back the values of the blocks
+ * and the numbers of the fit. */
 #include "evidence/diagnosis/trials_impl.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "evidence/diagnosis/steps_impl.h"
-#include "variant/many.h"
+
+#define NAMED 2 /* trials, in their progress */
 
 /* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
  * parameters. */
@@ -34,6 +36,19 @@ static enum um_status jacobian_with(struct um_context *context,
   return UM_OK;
 }
 
+/* A copy of the state with candidates added at their null values, without a fit. */
+static enum um_status blocks_with(struct um_context *context, const struct um_diagnosis_work *work,
+                                  const struct um_diagnosis_state *state, const size_t *candidate,
+                                  size_t ncandidate, struct um_diagnosis_state *out)
+{
+  UM_TRY(um_diagnosis_state_copy(context, state, state->nblock, out));
+  for (size_t i = 0; i < ncandidate; i++) {
+    struct um_diagnosis_block block = um_diagnosis_block_of(work, candidate[i]);
+    UM_TRY(um_diagnosis_state_append(context, out, &block));
+  }
+  return UM_OK;
+}
+
 enum um_status um_diagnosis_with(struct um_context *context, const struct um_diagnosis_work *work,
                                  const struct um_diagnosis_state *state, const size_t *candidate,
                                  size_t ncandidate, double prune_above,
@@ -42,14 +57,10 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
   enum um_status status;
   double *jacobian = NULL;
   bool switched = false;
-  UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, out));
-  for (size_t i = 0; i < ncandidate; i++) {
-    struct um_diagnosis_block block = um_diagnosis_block_of(work, candidate[i]);
-    switched = switched || work->candidates->candidate[candidate[i]].is_switch;
-    UM_CHECK(um_diagnosis_state_append(context, out, &block));
-  }
   bool shaped = false;
+  UM_CHECK(blocks_with(context, work, state, candidate, ncandidate, out));
   for (size_t i = 0; i < ncandidate; i++) {
+    switched = switched || work->candidates->candidate[candidate[i]].is_switch;
     if (work->candidates->candidate[candidate[i]].nunidentified == 0) continue;
     shaped = true;
     UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
@@ -83,24 +94,13 @@ struct job {
   struct um_diagnosis_trial *trial; /* [n] */
 };
 
-/* What goes before the blocks, and they before the numbers of the fit. Names that blocks point to
- * are those of the parent. */
-struct answer {
-  struct um_sensitivity_effort effort;
-  bool refused;
-  size_t nblock, nparameter;
-};
-#define DOUBLES(bytes) (((bytes) + sizeof(double) - 1) / sizeof(double))
-#define ANSWER         DOUBLES(sizeof(struct answer))
-
-static size_t blocks(size_t nblock) { return DOUBLES(nblock * sizeof(struct um_diagnosis_block)); }
-
+/* 1 where it is refused, else 0, the values of each block, and the fit. */
 static size_t room(const struct job *job, const struct um_diagnosis_trial *trial)
 {
   size_t nparameter = job->state->nparameter;
   for (size_t i = 0; i < trial->ncandidate; i++)
     nparameter += um_diagnosis_block_of(job->work, trial->candidate[i]).nfree;
-  return ANSWER + blocks(job->state->nblock + trial->ncandidate) +
+  return 1 + (job->state->nblock + trial->ncandidate) * UM_EFFECT_PARAMETERS_MAX +
          um_inference_fit_packed(job->work->forward->observations.count, nparameter);
 }
 
@@ -108,22 +108,17 @@ static enum um_status compute(struct um_context *context, void *user, size_t whi
 {
   const struct job *job = user;
   const struct um_diagnosis_trial *trial = &job->trial[which];
-  const struct um_sensitivity_forward before = *job->work->forward;
   struct um_diagnosis_state state = {0};
   enum um_status status = um_diagnosis_with(context, job->work, job->state, trial->candidate,
                                             trial->ncandidate, trial->prune_above, &state);
-  struct answer answer = {.refused = status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC};
+  bool refused = status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC;
   if (status == UM_OK) status = refine(context, job->work, trial, &state);
-  answer.effort = um_sensitivity_forward_effort(job->work->forward, &before);
-  answer.nblock = state.nblock;
-  answer.nparameter = state.nparameter;
-  memcpy(value, &answer, sizeof answer);
-  if (status == UM_OK) {
-    memcpy(value + ANSWER, state.block, state.nblock * sizeof *state.block);
-    um_inference_fit_pack(state.fit, value + ANSWER + blocks(state.nblock));
-  }
+  *value++ = refused;
+  for (size_t b = 0; status == UM_OK && b < state.nblock; b++, value += UM_EFFECT_PARAMETERS_MAX)
+    memcpy(value, state.block[b].addition.value, sizeof state.block[b].addition.value);
+  if (status == UM_OK) um_inference_fit_pack(state.fit, value);
   um_diagnosis_state_release(context, &state);
-  if (!answer.refused) return status;
+  if (!refused) return status;
   um_core_message_clear(context);
   return UM_OK;
 }
@@ -138,21 +133,32 @@ static void tell_fate(const struct um_diagnosis_work *work, const struct um_diag
 static enum um_status done(struct um_context *context, void *user, size_t which,
                            enum um_status status, const double *value)
 {
-  struct answer answer;
   const struct job *job = user;
   struct um_diagnosis_trial *trial = &job->trial[which];
   struct um_diagnosis_state *state = &trial->state;
   UM_TRY(status);
-  memcpy(&answer, value, sizeof answer);
-  um_sensitivity_forward_effort_add(job->work->forward, &answer.effort);
-  trial->refused = answer.refused;
+  trial->refused = *value++ != 0.0;
   if (trial->refused) return UM_OK;
-  UM_TRY(um_core_allocate(context, answer.nblock, sizeof *state->block, &state->block));
-  memcpy(state->block, value + ANSWER, answer.nblock * sizeof *state->block);
-  state->nblock = answer.nblock;
-  state->nnuisance = job->state->nnuisance;
-  state->nparameter = answer.nparameter;
-  return um_inference_fit_unpack(context, value + ANSWER + blocks(answer.nblock), &state->fit);
+  UM_TRY(blocks_with(context, job->work, job->state, trial->candidate, trial->ncandidate, state));
+  for (size_t b = 0; b < state->nblock; b++, value += UM_EFFECT_PARAMETERS_MAX)
+    memcpy(state->block[b].addition.value, value, sizeof state->block[b].addition.value);
+  return um_inference_fit_unpack(context, value, job->work->forward->observations.count,
+                                 state->nparameter, &state->fit);
+}
+
+/* "fitting emittance:cells with albedo_level, zero_point:vis and 3 more": what is tried. */
+static void say_tried(const struct job *job, size_t n, char *out, size_t size)
+{
+  const struct um_sensitivity_candidate *all = job->work->candidates->candidate;
+  size_t at = (size_t)snprintf(out, size, "fitting");
+  for (size_t i = 0; i < n && i < NAMED; i++)
+    for (size_t k = 0; k < job->trial[i].ncandidate && at < size; k++)
+      at += (size_t)snprintf(out + at, size - at, "%s %.30s",
+                             k > 0   ? " with"
+                             : i > 0 ? ","
+                                     : "",
+                             all[job->trial[i].candidate[k]].name);
+  if (n > NAMED && at < size) snprintf(out + at, size - at, " and %zu more", n - NAMED);
 }
 
 enum um_status um_diagnosis_trials_fit(struct um_context *context,
@@ -160,6 +166,7 @@ enum um_status um_diagnosis_trials_fit(struct um_context *context,
                                        const struct um_diagnosis_state *state,
                                        struct um_diagnosis_trial *trial, size_t n)
 {
+  char what[200];
   struct job job = {work, state, trial};
   struct um_workers_each tasks = {.n = n,
                                   .compute = compute,
@@ -168,7 +175,11 @@ enum um_status um_diagnosis_trials_fit(struct um_context *context,
                                   .workers = um_core_context_threads(context)};
   for (size_t i = 0; i < n; i++)
     if (tasks.nvalue < room(&job, &trial[i])) tasks.nvalue = room(&job, &trial[i]);
-  enum um_status status = um_variant_tasks(context, work->forward->evaluator, &tasks);
+  if (n == 0) return UM_OK;
+  say_tried(&job, n, what, sizeof what);
+  um_core_progress_begin(context, what, n);
+  enum um_status status = um_sensitivity_forward_tasks(context, work->forward, &tasks);
+  um_core_progress_end(context);
   for (size_t i = 0; i < n && status == UM_OK; i++) tell_fate(work, &trial[i]);
   return status;
 }

@@ -138,12 +138,50 @@ static enum um_status evaluate_timed(struct um_context *context,
   return status;
 }
 
+/* One evaluation as a task. */
+struct asked {
+  struct um_sensitivity_forward *forward;
+  const struct um_model_addition *addition;
+  size_t naddition;
+  double *value;
+};
+
+static enum um_status compute_asked(struct um_context *context, void *user, size_t which,
+                                    double *value)
+{
+  const struct asked *a = user;
+  (void)which;
+  return evaluate_timed(context, a->forward, a->addition, a->naddition, NULL, value);
+}
+
+static enum um_status take_asked(struct um_context *context, void *user, size_t which,
+                                 enum um_status status, const double *value)
+{
+  const struct asked *a = user;
+  (void)context;
+  (void)which;
+  if (status == UM_OK) memcpy(a->value, value, a->forward->observations.count * sizeof *a->value);
+  return status;
+}
+
 enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
                                                struct um_sensitivity_forward *forward,
                                                const struct um_model_addition *addition,
                                                size_t naddition, double *value)
 {
-  return evaluate_timed(context, forward, addition, naddition, NULL, value);
+  struct asked asked = {forward, addition, naddition, value};
+  const struct um_workers_each tasks = {.n = 1,
+                                        .nvalue = forward->observations.count,
+                                        .compute = compute_asked,
+                                        .done = take_asked,
+                                        .user = &asked,
+                                        .workers = 1};
+  if (forward->records == NULL || naddition == 0)
+    return evaluate_timed(context, forward, addition, naddition, NULL, value);
+  um_core_quiet_begin(context); /* its step is none of the caller's progress */
+  enum um_status status = um_sensitivity_forward_tasks(context, forward, &tasks);
+  um_core_quiet_end(context);
+  return status;
 }
 
 enum um_status um_sensitivity_forward_evaluate_move(struct um_context *context,

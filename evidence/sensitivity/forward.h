@@ -6,6 +6,7 @@
 #include "evidence/comparison/predict.h"
 #include "evidence/sensitivity/observations.h"
 #include "variant/evaluator.h"
+#include "variant/many.h"
 
 struct um_sensitivity_forward {
   bool holds_files; /* everything is built from what was read first */
@@ -20,11 +21,13 @@ struct um_sensitivity_forward {
   struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
   int paths, paths_before;     /* the same of optics.interreflection_samples */
-  size_t evaluations;          /* how often a model was computed */
-  double seconds_first;        /* wall time of the first evaluation, geometry tables and run, and
-                                  of the search for samples [s] */
-  double seconds;              /* of all [s]; of those that went on at once, their sum */
-  size_t heat_runs;            /* how often heat was integrated for a variant */
+  struct um_batch
+      *records;         /* where answers are kept (base/batch/each.h); NULL: nowhere; borrowed */
+  size_t evaluations;   /* how often a model was computed */
+  double seconds_first; /* wall time of the first evaluation, geometry tables and run, and
+                           of the search for samples [s] */
+  double seconds;       /* of all [s]; of those that went on at once, their sum */
+  size_t heat_runs;     /* how often heat was integrated for a variant */
   size_t heat_sensitivities, heat_batches;    /* parameters whose heat came by forward sensitivities
                                                  in place of that, and runs that gave them */
   double heat_seconds;                        /* wall time of both [s] */
@@ -54,17 +57,11 @@ enum um_status um_sensitivity_forward_evaluate(struct um_context *context,
                                                const struct um_model_addition *addition,
                                                size_t naddition, double *value);
 
-/* What evaluations took since `before`, a copy of the forward then, whose counts it has again: of a
- * task, which any process may have done; and what is told of it, added. */
-struct um_sensitivity_effort {
-  size_t evaluations, heat_runs, heat_sensitivities, heat_batches;
-  double seconds, heat_seconds;
-};
-struct um_sensitivity_effort
-um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
-                              const struct um_sensitivity_forward *before);
-void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
-                                       const struct um_sensitivity_effort *effort);
+/* um_variant_tasks, on record where the forward has records: what a task took (evaluations, heat,
+ * seconds) is counted by the forward, whichever process did it, or did it long ago. */
+enum um_status um_sensitivity_forward_tasks(struct um_context *context,
+                                            struct um_sensitivity_forward *forward,
+                                            const struct um_workers_each *tasks);
 
 /* Heat of a variant, from that of the scenario as it stands. */
 struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward);

@@ -47,29 +47,3 @@ void um_sensitivity_forward_run_release(struct um_context *context,
   um_model_result_destroy(context, &run->result);
   um_variant_close(context, &run->variant);
 }
-
-struct um_sensitivity_effort
-um_sensitivity_forward_effort(struct um_sensitivity_forward *forward,
-                              const struct um_sensitivity_forward *before)
-{
-  const struct um_sensitivity_effort effort = {
-      .evaluations = forward->evaluations - before->evaluations,
-      .heat_runs = forward->heat_runs - before->heat_runs,
-      .heat_sensitivities = forward->heat_sensitivities - before->heat_sensitivities,
-      .heat_batches = forward->heat_batches - before->heat_batches,
-      .seconds = forward->seconds - before->seconds,
-      .heat_seconds = forward->heat_seconds - before->heat_seconds};
-  *forward = *before;
-  return effort;
-}
-
-void um_sensitivity_forward_effort_add(struct um_sensitivity_forward *forward,
-                                       const struct um_sensitivity_effort *effort)
-{
-  forward->evaluations += effort->evaluations;
-  forward->heat_runs += effort->heat_runs;
-  forward->heat_sensitivities += effort->heat_sensitivities;
-  forward->heat_batches += effort->heat_batches;
-  forward->seconds += effort->seconds;
-  forward->heat_seconds += effort->heat_seconds;
-}

@@ -1,7 +1,7 @@
 /* Signatures of many candidates at once. Those that move heat go in groups: one run of heat's
  * tangent and one pass of light serve a group, in the worker that has it, and are gone with it. A
  * group does not depend on the number of workers. A worker sends back the candidate as it made it,
- * as bytes, what the work took, and the columns; its pointers are the parent's own. */
+ * as bytes, and the columns; its pointers are the parent's own. */
 #include "evidence/sensitivity/signatures_impl.h"
 
 #include <stdio.h>
@@ -11,7 +11,6 @@
 #include "evidence/sensitivity/policy.h"
 #include "evidence/sensitivity/scan_impl.h"
 #include "evidence/sensitivity/signature_impl.h"
-#include "variant/many.h"
 
 #define HEAT_MOVES 64 /* moves in one run of heat */
 
@@ -32,7 +31,6 @@ struct work {
 /* What goes before the columns. */
 struct answer {
   struct um_sensitivity_candidate candidate;
-  struct um_sensitivity_effort effort;
   char why[1024]; /* of a refusal; "": none */
   bool left;      /* nothing was done */
 };
@@ -92,11 +90,9 @@ static bool found(const struct work *work, size_t which)
   return false;
 }
 
-/* The answer of one candidate, what was made before it among its effort. */
 static enum um_status compute_one(struct um_context *context, const struct work *work, size_t which,
-                                  const struct um_sensitivity_forward *before, double *value)
+                                  double *value)
 {
-  struct um_sensitivity_forward *f = work->point->forward;
   struct answer answer = {.candidate = work->candidate[which]};
   enum um_status status = UM_OK;
   answer.candidate.signature = value + ANSWER;
@@ -104,7 +100,6 @@ static enum um_status compute_one(struct um_context *context, const struct work 
   if (!answer.candidate.insensitive && !answer.left)
     status = um_sensitivity_signature_make(context, work->point, &answer.candidate);
   if (status != UM_OK) status = refused(context, status, &answer);
-  answer.effort = um_sensitivity_forward_effort(f, before);
   memcpy(value, &answer, sizeof answer);
   return status;
 }
@@ -113,18 +108,28 @@ static enum um_status compute(struct um_context *context, void *user, size_t whi
 {
   const struct work *work = user;
   const struct task *task = &work->task[which];
-  struct um_sensitivity_forward *f = work->point->forward;
-  const struct um_sensitivity_forward before = *f;
   enum um_status status = UM_OK;
   if (work->heat) UM_CHECK(find_moves(context, work, task));
   for (size_t i = 0; i < task->count; i++) {
     size_t of = work->order[task->first + i];
-    UM_CHECK(compute_one(context, work, of, &before, value));
+    UM_CHECK(compute_one(context, work, of, value));
     value += room_of(work, of);
   }
 done:
-  um_sensitivity_moves_clear(context, f);
+  um_sensitivity_moves_clear(context, work->point->forward);
   return status;
+}
+
+/* Can this be an answer? A record is a file that anybody may have written. */
+static bool is_sound(const struct answer *answer, size_t columns, size_t nparameter)
+{
+  const struct um_sensitivity_candidate *c = &answer->candidate;
+  bool sound = c->ncolumn <= columns && c->nunidentified <= nparameter &&
+               memchr(answer->why, '\0', sizeof answer->why) != NULL;
+  for (size_t k = 0; sound && k < c->ncolumn; k++)
+    sound = nparameter == 0 || c->parameter[k] < nparameter;
+  for (size_t k = 0; sound && k < c->nunidentified; k++) sound = c->unidentified[k] < nparameter;
+  return sound;
 }
 
 /* The candidate as the worker made it, but for what is the parent's own. */
@@ -136,10 +141,13 @@ static enum um_status take(struct um_context *context, const struct work *work, 
   const struct um_sensitivity_candidate own = *c;
   size_t n = work->point->forward->observations.count, columns = columns_of(c);
   memcpy(&answer, value, sizeof answer);
-  um_sensitivity_forward_effort_add(work->point->forward, &answer.effort);
   *is_done = !answer.left;
   if (answer.left) return UM_OK;
+  if (!is_sound(&answer, columns, own.effect->nparameter))
+    return um_core_fail(context, UM_ERR_IO, "%s: its signature on record is none", own.name);
   *c = answer.candidate;
+  c->effect = own.effect;
+  c->is_switch = own.is_switch;
   c->name = own.name;
   c->target = own.target;
   c->why = own.why;
@@ -219,7 +227,7 @@ static enum um_status run_tasks(struct um_context *context, struct work *work)
       room += room_of(work, work->order[work->task[t].first + i]);
     if (tasks.nvalue < room) tasks.nvalue = room;
   }
-  return um_variant_tasks(context, work->point->forward->evaluator, &tasks);
+  return um_sensitivity_forward_tasks(context, work->point->forward, &tasks);
 }
 
 enum um_status um_sensitivity_signatures_create(struct um_context *context,

@@ -120,7 +120,7 @@ static void test_packed(void **state)
   numbers[um_inference_fit_packed(m, n)] = -7.0;
   um_inference_fit_pack(fit, numbers);
   assert_true(numbers[um_inference_fit_packed(m, n)] == -7.0); /* no further */
-  assert_int_equal(um_inference_fit_unpack(c, numbers, &back), UM_OK);
+  assert_int_equal(um_inference_fit_unpack(c, numbers, m, n, &back), UM_OK);
   assert_true(back->chi2 == fit->chi2 && back->bic == fit->bic);
   assert_true(back->evaluations == fit->evaluations && back->converged == fit->converged);
   assert_memory_equal(back->x, fit->x, n * sizeof *fit->x);
