@@ -41,6 +41,13 @@ enum um_status um_app_batch_options(struct um_context *context,
   return options->share == NULL ? UM_OK : parse_share(context, options->share, task);
 }
 
+enum um_status um_app_batch_records(struct um_context *context, const char *out, char **records)
+{
+  size_t n = strlen(out);
+  while (n > 1 && out[n - 1] == '/') n--;
+  return um_core_asprintf(context, records, "%.*s.records", (int)n, out);
+}
+
 int um_app_batch_end(size_t lost, const char *records)
 {
   if (lost == 0) return UM_APP_DONE;

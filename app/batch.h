@@ -11,6 +11,9 @@ enum um_status um_app_batch_options(struct um_context *context,
                                     const struct um_app_options *options,
                                     struct um_batch_task *task);
 
+/* Where records of results in `out` lie: beside them. The caller frees *records. */
+enum um_status um_app_batch_records(struct um_context *context, const char *out, char **records);
+
 /* The exit code of work that came to its end: UM_APP_LOST, after a word on standard error, where
  * points are lost. records: their folder. */
 int um_app_batch_end(size_t lost, const char *records);

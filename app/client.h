@@ -80,7 +80,7 @@ struct um_app_options {
   const char *measured;           /* of study: --measured FILE */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
-  /* of study and forecast: --workers (0: not said), --share, --resume */
+  /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */
   int workers;
   const char *share;
   bool resume;

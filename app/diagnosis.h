@@ -3,6 +3,7 @@
 #define UMBRA_APP_DIAGNOSIS_H
 
 #include "app/app.h"
+#include "base/batch/batch.h"
 #include "base/core/file.h"
 #include "evidence/diagnosis/diagnosis.h"
 #include "evidence/diagnosis/request.h"
@@ -15,7 +16,11 @@ struct um_app_diagnosis {
   struct um_sensitivity_candidates *candidates;
   struct um_diagnosis *diagnosis;
   struct um_core_folder *folder;
-  char *out; /* the folder's place */
+  char *out;              /* the folder's place */
+  bool holds_files;       /* they stay as they were when they were read first */
+  char *records;          /* folder of what is computed, until results are written */
+  struct um_batch *batch; /* of that */
+  bool written;
 };
 
 /* Measurements, forward, request and folder; all zero before. */
@@ -26,6 +31,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
 enum um_status um_app_diagnosis_finish(struct um_context *context,
                                        const struct um_app_options *options,
                                        struct um_app_diagnosis *work);
+/* What was computed stays on record where results were not written, and the message says so. */
 void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work);
 
 /* The tables for a person (diagnosis_print.c). */

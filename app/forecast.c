@@ -159,8 +159,7 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   UM_CHECK(um_forecast_create(context, &ask, &task, &forecast));
   UM_CHECK(um_core_asprintf(context, &name, "%s-forecast", forecast->name));
   UM_CHECK(um_app_out_folder(context, options, name, &out));
-  for (size_t n = strlen(out); n > 1 && out[n - 1] == '/'; n--) out[n - 1] = '\0';
-  UM_CHECK(um_core_asprintf(context, &records, "%s.records", out));
+  UM_CHECK(um_app_batch_records(context, out, &records));
   task.folder = records;
   UM_CHECK(um_forecast_open(context, forecast, &task, &batch));
   if (um_batch_leads(batch))

@@ -149,15 +149,16 @@ static const struct um_app_verb verbs[] = {
      .run = um_app_sensitivity},
     {"diagnose", "SCENARIO MEASURED",
      "which physical effect the scenario lacks, or that the measurements cannot tell",
-     .accepts = "out " CHANGES " only exclude nuisance level steps " RESULTS,
+     .accepts = "out " CHANGES " only exclude nuisance level steps resume " RESULTS,
      .about =
          "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
-         "be and what to measure next.",
+         "be and what to measure next. What is computed is kept on record beside the results until "
+         "these are written: after an end of any kind --resume goes on.",
      .examples = "umbra diagnose scenarios/hidden-effect/dawn measured.csv --nuisance "
                  "zero_point:lwir,sigma=0.05\n",
      .run = um_app_diagnose},
     {"fit", "SCENARIO MEASURED", "parameters of chosen effects, fitted to measurements",
-     .needs = "add", .accepts = "out " CHANGES " nuisance " RESULTS,
+     .needs = "add", .accepts = "out " CHANGES " nuisance resume " RESULTS,
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
      .run = um_app_fit},

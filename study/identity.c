@@ -200,20 +200,19 @@ static void describe_change(const char *was, const char *is, char *out, size_t s
 {
   struct line line;
   bool missing;
-  const char *what = "has other bytes than when these points were computed";
+  const char *what = "has other bytes than when this was computed";
   if (find_change(is, was, false, &line, &missing)) {
     if (strcmp(line.kind, "program") == 0)
       snprintf(out, size, "the program %s", what);
     else if (strcmp(line.kind, "file") != 0)
-      snprintf(out, size, "%.700s are others than when these points were computed", line.name);
+      snprintf(out, size, "%.700s are others than when this was computed", line.name);
     else
       snprintf(out, size, "%.700s %s", line.name,
-               missing ? "was not read when these points were computed" : what);
+               missing ? "was not read when this was computed" : what);
   } else if (find_change(was, is, true, &line, &missing)) {
-    snprintf(out, size, "%.700s was read when these points were computed, and is not now",
-             line.name);
+    snprintf(out, size, "%.700s was read when this was computed, and is not now", line.name);
   } else {
-    snprintf(out, size, "these points were computed from the same in another order");
+    snprintf(out, size, "this was computed from the same in another order");
   }
 }
 

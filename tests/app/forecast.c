@@ -185,8 +185,7 @@ static void test_other(void **state)
   struct command c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", "--resume",
                                  "--set", "time.step_s=9", NULL);
   assert_int_equal(c.code, 1);
-  assert_non_null(
-      strstr(c.err, "f.records: the changes by --set are others than when these points"));
+  assert_non_null(strstr(c.err, "f.records: the changes by --set are others than when this was"));
   command_release(&c);
   c = command_run("forecast", "box.yaml", "--days", "0.1", "-o", "f", NULL);
   assert_int_equal(c.code, 1);
@@ -405,7 +404,7 @@ static void test_uncertain_records(void **state)
     struct command c = i < 2 ? command_run(ASKED, "--resume", "--uncertain", other[i], NULL)
                              : command_run(ASKED, "--resume", NULL);
     assert_int_equal(c.code, 1);
-    assert_non_null(strstr(c.err, "the uncertain parameters are others than when these points"));
+    assert_non_null(strstr(c.err, "the uncertain parameters are others than when this was"));
     command_release(&c);
   }
   command_expect(0, ASKED, "--resume", "--uncertain", "emittance:grey_white=0.05", NULL);

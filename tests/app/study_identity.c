@@ -125,8 +125,7 @@ static void test_files(void **state)
       copy(files[i].path, "kept", "");
       assert_int_equal(unlink(files[i].path), 0);
       copy("kept", files[i].path, files[i].more);
-      snprintf(says, sizeof says, "/%s has other bytes than when these points were computed",
-               files[i].path);
+      snprintf(says, sizeof says, "/%s has other bytes than when this was computed", files[i].path);
       expect_refused(resume[v], folder, says);
       assert_int_equal(rename("kept", files[i].path), 0);
     }
@@ -186,7 +185,7 @@ static void test_program(void **state)
     char *before = command_snapshot("o.points"), *after;
     assert_int_not_equal(system(rebuilt), 0);
     said = command_read("said");
-    assert_non_null(strstr(said, "o.points: the program has other bytes than when these points"));
+    assert_non_null(strstr(said, "o.points: the program has other bytes than when this was"));
     free(said);
     after = command_snapshot("o.points");
     assert_string_equal(before, after);
