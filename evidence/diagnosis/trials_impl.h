@@ -25,7 +25,8 @@ struct um_diagnosis_trial {
 };
 
 /* Fit every trial, by as many processes as the context has threads: the answers do not depend on
- * how many. The progress names the first of them; each is a step. The caller releases the states, after a failure too. */
+ * how many. The progress names the first of them; each is a step. The caller releases the states,
+ * after a failure too. */
 enum um_status um_diagnosis_trials_fit(struct um_context *context,
                                        const struct um_diagnosis_work *work,
                                        const struct um_diagnosis_state *state,
