@@ -152,12 +152,11 @@ static void say_tried(const struct job *job, size_t n, char *out, size_t size)
   const struct um_sensitivity_candidate *all = job->work->candidates->candidate;
   size_t at = (size_t)snprintf(out, size, "fitting");
   for (size_t i = 0; i < n && i < NAMED; i++)
-    for (size_t k = 0; k < job->trial[i].ncandidate && at < size; k++)
-      at += (size_t)snprintf(out + at, size - at, "%s %.30s",
-                             k > 0   ? " with"
-                             : i > 0 ? ","
-                                     : "",
+    for (size_t k = 0; k < job->trial[i].ncandidate && at < size; k++) {
+      const char *before = k > 0 ? " with" : ",";
+      at += (size_t)snprintf(out + at, size - at, "%s %.30s", i + k > 0 ? before : "",
                              all[job->trial[i].candidate[k]].name);
+    }
   if (n > NAMED && at < size) snprintf(out + at, size - at, " and %zu more", n - NAMED);
 }
 

@@ -21,8 +21,8 @@ struct um_sensitivity_forward {
   struct um_sensitivity_observations observations; /* measurements in use, with their sigma */
   int samples, samples_before; /* optics.samples of every evaluation, and those of the scenario */
   int paths, paths_before;     /* the same of optics.interreflection_samples */
-  struct um_batch
-      *records;         /* where answers are kept (base/batch/each.h); NULL: nowhere; borrowed */
+  /* where answers are kept (base/batch/each.h); NULL: nowhere; borrowed */
+  struct um_batch *records;
   size_t evaluations;   /* how often a model was computed */
   double seconds_first; /* wall time of the first evaluation, geometry tables and run, and
                            of the search for samples [s] */
