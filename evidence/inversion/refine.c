@@ -61,7 +61,7 @@ static enum um_status linear_values(struct um_context *context,
 enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
                                         const struct um_model_tables *tables,
                                         const struct um_model_result *result,
-                                        const struct um_model_result *finer, double *share)
+                                        const struct um_compare_twice *twice, double *share)
 {
   const struct um_compare_share_user *u = user;
   const struct um_compare_measurements *m = u->plan->measurements;
@@ -70,10 +70,11 @@ enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
   UM_TRY(um_core_allocate(context, 3 * m->count, sizeof *value, &value));
   double *sigma = value + m->count, *model_sigma = sigma + m->count;
   UM_CHECK(linear_values(context, u, tables, result, value, sigma));
-  if (finer == NULL) {
+  if (twice == NULL) {
     um_compare_predict_error(u->plan, result, model_sigma);
   } else {
-    UM_CHECK(linear_values(context, u, tables, finer, model_sigma, NULL));
+    UM_CHECK(linear_values(context, u, tables, twice->coarse, value, NULL));
+    UM_CHECK(linear_values(context, u, tables, twice->finer, model_sigma, NULL));
     for (size_t i = 0; i < m->count; i++) model_sigma[i] = fabs(model_sigma[i] - value[i]);
   }
   UM_CHECK(um_compare_share(context, m, sigma, model_sigma, share));
@@ -132,17 +133,29 @@ static enum um_status look_again(struct um_context *context, const struct job *j
   return UM_OK;
 }
 
-/* The share of what is seen directly: of a run without light between surfaces. */
+static bool has_light_between(const struct job *job, const struct um_compare_refinement *r)
+{
+  return job->model->environment.inter_reflection_on && r->interreflection > 0;
+}
+
+/* A run of what is seen directly, without light between surfaces, which costs a hundred times as
+ * much where a few observations want hundreds of paths. */
+static enum um_status run_direct(struct um_context *context, const struct job *job,
+                                 struct um_model_result **out)
+{
+  struct um_model without = *job->model;
+  without.environment.inter_reflection_on = false;
+  return um_model_run_with(context, &without, job->tables, job->heat, out);
+}
+
 static enum um_status direct_share(struct um_context *context, const struct job *job,
                                    const struct um_compare_refinement *r, double *share)
 {
   struct um_model_result *bare = NULL;
-  struct um_model without = *job->model;
   enum um_status status;
   *share = r->share;
-  if (!job->model->environment.inter_reflection_on || r->interreflection == 0) return UM_OK;
-  without.environment.inter_reflection_on = false;
-  UM_CHECK(um_model_run_with(context, &without, job->tables, job->heat, &bare));
+  if (!has_light_between(job, r)) return UM_OK;
+  UM_CHECK(run_direct(context, job, &bare));
   UM_CHECK(job->share_of(context, job->user, job->tables, bare, NULL, share));
   *share = fmin(*share, r->share);
 done:
@@ -171,40 +184,40 @@ static enum um_status raise(struct um_context *context, const struct job *job,
   return UM_OK;
 }
 
-/* Does what was stated hold? With CHECK times the samples the values must stay; else the finer run
- * is the one to go on with. A surface whose few points are all seen states no error: this is where
- * a shadow that slips between them is found. */
+/* Does what was stated hold? With CHECK times the samples what is seen directly must stay; else the
+ * finer run is the one to go on with. A surface whose few points are all seen states no error: this
+ * is where a shadow that slips between them is found. Paths look for themselves: nothing slips
+ * between them. */
 static enum um_status check(struct um_context *context, const struct job *job,
                             struct um_compare_refinement *r, struct um_model_result **result,
                             bool *holds)
 {
   enum um_status status;
-  struct um_model_result *coarse = *result;
+  struct um_model_result *coarse = NULL, *finer = NULL;
+  const struct um_model_sampling before = {r->samples, r->interreflection};
   int samples = (int)fmin(CHECK * (double)r->samples, job->most);
-  int rays = r->interreflection; /* what paths find does not slip between points */
   double moved = NAN;
   *holds = true;
   if (r->samples >= FINE) return UM_OK;
   if (samples <= r->samples) return UM_OK;
-  *result = NULL;
-  UM_CHECK(look_again(context, job, samples, rays, result));
-  UM_CHECK(job->share_of(context, job->user, job->tables, coarse, *result, &moved));
+  UM_CHECK(run_direct(context, job, &coarse));
+  UM_CHECK(um_model_tables_resample(context, job->model, job->tables,
+                                    (struct um_model_sampling){samples, r->interreflection}));
+  UM_CHECK(run_direct(context, job, &finer));
+  UM_CHECK(job->share_of(context, job->user, job->tables, *result,
+                         &(struct um_compare_twice){coarse, finer}, &moved));
   *holds = !(moved > job->limit);
   if (*holds) {
-    um_model_result_destroy(context, result);
-    *result = coarse;
-    coarse = NULL;
-    UM_CHECK(um_model_tables_resample(context, job->model, job->tables,
-                                      (struct um_model_sampling){r->samples, r->interreflection}));
-    status = UM_OK;
+    status = um_model_tables_resample(context, job->model, job->tables, before);
     goto done;
   }
+  UM_CHECK(look_again(context, job, samples, r->interreflection, result));
   r->share_before = fmax(r->share_before, moved);
   r->samples = samples;
-  r->interreflection = rays;
   UM_CHECK(job->share_of(context, job->user, job->tables, *result, NULL, &r->share));
 done:
   um_model_result_destroy(context, &coarse);
+  um_model_result_destroy(context, &finer);
   return status;
 }
 

@@ -28,18 +28,22 @@ struct um_compare_refinement {
   double share_before, share; /* of the worst channel [1]; NaN where no observation has a sigma */
 };
 
+/* Two runs that differ in their samples. */
+struct um_compare_twice {
+  const struct um_model_result *coarse, *finer;
+};
 /* Share of the model in the worst channel of what is looked at, from a run: by its standard error
- * or, with `finer` (NULL: not asked), by how far the values are from those of a run with more
- * samples. */
+ * or, with `twice` (NULL: not asked), by how far the values of the two are apart; sigma is the
+ * run's. */
 typedef enum um_status um_compare_share_of(struct um_context *context, void *user,
                                            const struct um_model_tables *tables,
                                            const struct um_model_result *result,
-                                           const struct um_model_result *finer, double *share);
+                                           const struct um_compare_twice *twice, double *share);
 
 /* Run the model on geometry tables; while the share that `share_of` finds is above
  * `limit`, look again with more samples and run again with the same heat, up to the bounds above. A
- * share below the limit is checked by a run with four times the samples, which is taken in its
- * place where the values moved by more than the limit; otherwise the result is that of
+ * share below the limit is checked by what is seen directly with four times the samples, which are
+ * taken where the values moved by more than the limit; otherwise the result is that of
  * um_model_run. What was done is said in the log; a share that stays above the limit is a warning.
  * limit: in (0, 1), UM_COMPARE_MODEL_SHARE. tables: its sampling is what was used.
  * Errors of the run, the geometry tables and share_of. The caller destroys *out. Tested by

@@ -190,7 +190,7 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
 enum um_status um_compare_synth_share(struct um_context *context, void *user,
                                       const struct um_model_tables *tables,
                                       const struct um_model_result *result,
-                                      const struct um_model_result *finer, double *share)
+                                      const struct um_compare_twice *twice, double *share)
 {
   const struct um_compare_synth *o = user;
   (void)context;
@@ -201,8 +201,9 @@ enum um_status um_compare_synth_share(struct um_context *context, void *user,
     for (size_t k = 0; k < result->nobs; k++) {
       size_t at = k * result->nband + b;
       double sigma = hypot(o->relative * result->irradiance[at], floor);
-      double own = finer == NULL ? result->irradiance_error[at]
-                                 : fabs(finer->irradiance[at] - result->irradiance[at]);
+      double own = twice == NULL
+                       ? result->irradiance_error[at]
+                       : fabs(twice->finer->irradiance[at] - twice->coarse->irradiance[at]);
       if (!(sigma > 0.0)) continue; /* below the horizon, or refused later */
       sum += um_compare_residual_share(sigma, own);
       count++;
