@@ -3,13 +3,18 @@
 #define UMBRA_OPTICS_BUNDLE_IMPL_H
 
 #include "base/core/sampling.h"
+#include "optics/paths/first_turns_group.h"
 #include "optics/paths/photons_group.h"
+
+/* Keys that keep the point sequences of different uses apart. */
+enum { UM_OPTICS_KEY_RAY = 0x726179, UM_OPTICS_KEY_WAY = 0x776179 };
 
 struct um_optics_bundle {
   struct um_optics_paths paths;
   struct um_optics_photons *photons;
   double worth; /* what a path's radiance adds to the intensity [m^2] */
-  uint64_t key; /* of seed, surface and instant */
+  uint64_t key; /* of seed, surface and instant: um_optics_path_key */
+  bool known;   /* all of them are seen, and meet something where they first turn */
   int n, alive;
   int of[UM_OPTICS_PATHS];          /* [alive] */
   uint32_t sample[UM_OPTICS_PATHS]; /* [n], like what follows */
@@ -51,6 +56,16 @@ static inline double um_optics_band_sum(const struct um_optics_spectra *s, size_
   return sum;
 }
 
+/* first_turns.c: numbers of a surface's paths at an instant. */
+uint64_t um_optics_path_key(const struct um_optics_paths *paths, size_t surface);
+/* Where a path first turns: u, and what chooses between lobe and cosine [1]. */
+double um_optics_bundle_first(const struct um_optics_bundle *bundle, uint32_t sample, double u[2]);
+/* The next paths of a surface from *next on, of nsample in all, without those that are known to
+ * bring nothing; false: none is left. */
+bool um_optics_bundle_fill(struct um_optics_bundle *bundle, size_t surface, uint32_t *next,
+                           uint32_t nsample);
+/* Points of the surface that the observer sees. */
+void um_optics_bundle_begin(struct um_optics_bundle *bundle, size_t surface, double seen);
 /* path_sun.c: sunlight at the vertices that paths have come to, straight from the Sun and by way of
  * mirrors; vertex: how many there were before. */
 void um_optics_bundle_add_sun(struct um_optics_bundle *bundle, int vertex);

@@ -22,58 +22,24 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/golden.h"
 #include "optics/paths/bundle_impl.h"
 #include "optics/paths/exchange_impl.h"
-#include "optics/paths/sampling_group.h"
 
 #define LEAST   1e-5 /* [1] */
 #define LONGEST 256  /* surfaces of a path */
-
-/* Keys that keep the point sequences of different uses apart. */
-enum { KEY_RAY = 0x726179, KEY_WAY = 0x776179 };
 
 /* Way on from a vertex; false: none. */
 static bool go_on(struct um_optics_bundle *p, int i, int vertex)
 {
   double which, u[2];
   if (vertex == 0) {
-    double place[4];
-    um_optics_sample_4d(p->key, p->sample[i], place);
-    u[0] = place[2];
-    u[1] = place[3];
-    which = um_core_hash_uniform(um_core_hash(p->key, KEY_WAY)) + UM_GOLDEN * p->sample[i];
-    which -= floor(which);
+    which = um_optics_bundle_first(p, p->sample[i], u);
   } else {
-    u[0] = um_optics_bundle_number(p, i, vertex, KEY_RAY);
-    u[1] = um_optics_bundle_number(p, i, vertex, KEY_RAY + 1);
-    which = um_optics_bundle_number(p, i, vertex, KEY_WAY);
+    u[0] = um_optics_bundle_number(p, i, vertex, UM_OPTICS_KEY_RAY);
+    u[1] = um_optics_bundle_number(p, i, vertex, UM_OPTICS_KEY_RAY + 1);
+    which = um_optics_bundle_number(p, i, vertex, UM_OPTICS_KEY_WAY);
   }
   return um_optics_vertex_sample(&p->paths, &p->vertex[i], which, u, &p->turn[i]);
-}
-
-/* Points of the surface that the observer sees. */
-static void begin(struct um_optics_bundle *p, size_t surface, double seen)
-{
-  const struct um_optics_posed_scene *posed = p->paths.posed;
-  struct um_vec3 observer = p->paths.instant->observer_body;
-  struct um_optics_work *work = p->paths.work;
-  p->alive = 0;
-  for (int i = 0; i < p->n; i++) {
-    double place[4];
-    um_optics_sample_4d(p->key, p->sample[i], place);
-    work->ray[i] = um_optics_path_begin(posed->exchange->mesh, posed->pose, surface, place);
-    work->ray[i].direction = observer;
-  }
-  memset(work->hidden, 0, (size_t)p->n);
-  if (seen < 1.0)
-    um_geometry_visibility_occluded(posed->visibility, work->ray, (size_t)p->n, work->hidden);
-  for (int i = 0; i < p->n; i++) {
-    if (work->hidden[i]) continue;
-    um_optics_vertex_place(&p->paths, surface, work->ray[i].origin, observer, &p->vertex[i]);
-    p->mirrors[i] = true;
-    p->of[p->alive++] = i;
-  }
 }
 
 /* B of a vertex' surface, into the scratch. */
@@ -213,7 +179,7 @@ static void trace(struct um_optics_bundle *p, size_t surface, double seen)
   int most = p->paths.scene->interreflection_most;
   memset(work->gathered, 0, (size_t)p->n * n * sizeof *work->gathered);
   for (size_t b = 0; b < (size_t)p->n * n; b++) work->throughput[b] = work->mirrored[b] = 1.0;
-  begin(p, surface, seen);
+  um_optics_bundle_begin(p, surface, seen);
   for (int a = 0; a < p->alive && telescopes(p, p->of[a]); a++) {
     int i = p->of[a];
     const double *planck = black_body(p, i);
@@ -250,25 +216,21 @@ bool um_optics_interreflection(const struct um_optics_paths *paths,
                                struct um_optics_photons *photons, size_t surface, double seen)
 {
   const struct um_optics_spectra *spectra = paths->spectra;
-  const struct um_optics_scene *scene = paths->scene;
   const struct um_optics_instant *instant = paths->instant;
   const struct um_optics_posed_scene *posed = paths->posed;
   struct um_optics_work *work = paths->work;
   struct um_optics_bundle p = {.paths = *paths, .photons = photons};
   const struct um_geometry_mesh *mesh = posed->exchange->mesh;
   int nsample = posed->exchange->count[surface] * paths->factor;
-  uint64_t seed = scene->view != NULL ? scene->view->seed : 0;
   if (nsample == 0) return false;
-  p.key = um_core_hash(um_core_hash(um_core_hash(KEY_RAY, seed), surface), instant->time);
+  p.key = um_optics_path_key(paths, surface);
   p.worth =
       mesh->area[mesh->surface[surface].facet] / nsample *
       um_vec3_dot(um_geometry_surface_normal(mesh, posed->pose, surface), instant->observer_body);
   memset(work->reflected, 0, spectra->nbin * sizeof *work->reflected);
   memset(work->band_variance, 0, spectra->nband * sizeof *work->band_variance);
   memset(work->band, 0, spectra->nband * sizeof *work->band);
-  for (int first = 0; first < nsample; first += p.n) {
-    p.n = nsample - first < UM_OPTICS_PATHS ? nsample - first : UM_OPTICS_PATHS;
-    for (int i = 0; i < p.n; i++) p.sample[i] = (uint32_t)(first + i);
+  for (uint32_t next = 0; um_optics_bundle_fill(&p, surface, &next, (uint32_t)nsample);) {
     trace(&p, surface, seen);
     add_paths(&p, 1.0 / nsample);
   }

@@ -19,6 +19,8 @@ struct um_optics_exchange {
 /* A direction into the Sun's disc by two numbers of [0, 1). */
 struct um_vec3 um_optics_disc_direction(const struct um_optics_instant *instant, const double u[2]);
 
+struct um_optics_first_turns; /* first_turns_group.h */
+
 /* Everything that paths of one instant have in common. */
 struct um_optics_paths {
   const struct um_optics_spectra *spectra;
@@ -28,11 +30,16 @@ struct um_optics_paths {
   struct um_optics_work *work;
   int factor;                                  /* times the paths of the exchange */
   const struct um_optics_photon_maps *photons; /* that serve; NULL: they are traced */
+  const struct um_optics_first_turns *turns;   /* kept of this instant; NULL: none that serve */
+  size_t turn;                                 /* the surface's first bit of them */
   struct um_optics_glow *glow; /* takes what paths see of black bodies; NULL: not asked */
 };
 
 /* Is a lobe so narrow that chance does not find what it shows? */
 bool um_optics_is_mirror(const struct um_materials_lobe *lobe);
+
+/* Do two lobes send light alike, but for how much? */
+bool um_optics_same_lobe(const struct um_materials_lobe *a, const struct um_materials_lobe *b);
 
 /* A point of a surface, seen from a direction. */
 struct um_optics_vertex {
@@ -62,6 +69,11 @@ struct um_optics_turn {
 bool um_optics_vertex_sample(const struct um_optics_paths *paths,
                              const struct um_optics_vertex *vertex, double which, const double u[2],
                              struct um_optics_turn *turn);
+/* The direction that um_optics_vertex_sample finds by the lobe or by the cosine, whatever their
+ * shares. False: no light comes this way. */
+bool um_optics_vertex_direction(const struct um_optics_paths *paths,
+                                const struct um_optics_vertex *vertex, bool by_lobe,
+                                const double u[2], struct um_vec3 *direction);
 /* A direction into which a mirror throws what comes to it from o; flat is 0. sunlight: what comes
  * is the Sun's disc about o, of which a true mirror takes o alone. */
 bool um_optics_vertex_mirror(const struct um_optics_paths *paths,

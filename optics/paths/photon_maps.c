@@ -1,10 +1,12 @@
-/* Photons of every instant, kept. They hang on poses, the Sun and the lobes of mirrors; how much
- * mirrors reflect of which wavelength is multiplied in when photons are looked up. One thing else
- * does: a path of several mirrors goes on as often as they reflect. Kept paths have gone on as
- * those of the scene that they were traced in, and count for those that have not: of other
- * reflectances light has the same mean, and moves smoothly with them. */
+/* Photons of every instant, kept, and which paths meet something (first_turns_group.h). Photons
+ * hang on poses, the Sun and the lobes of mirrors; how much mirrors reflect of which wavelength is
+ * multiplied in when photons are looked up. One thing else does: a path of several mirrors goes on
+ * as often as they reflect. Kept paths have gone on as those of the scene that they were traced in,
+ * and count for those that have not: of other reflectances light has the same mean, and moves
+ * smoothly with them. */
 #include "optics/paths/photon_maps.h"
 
+#include <omp.h>
 #include <string.h>
 
 #include "optics/paths/photon_maps_group.h"
@@ -18,6 +20,7 @@ struct kept {
   size_t count, nbeam, nroot;
   struct um_optics_photon *photon; /* [count] */
   struct um_optics_beam *beam;     /* [nbeam] */
+  struct um_optics_first_turns turns;
 };
 
 struct um_optics_photon_maps {
@@ -33,7 +36,7 @@ struct um_optics_photon_maps {
 struct tracing {
   const struct um_optics_scene *scene;
   struct um_optics_spectra *spectra; /* in the bins of light between surfaces */
-  struct um_optics_work *work;
+  struct um_optics_work *work;       /* [nthread] */
   struct um_optics_posed_scenes *scenes;
   struct um_optics_photons photons; /* of the current instant */
 };
@@ -44,7 +47,8 @@ static enum um_status tracing_begin(struct um_context *context, const struct um_
 {
   t->scene = scene;
   UM_TRY(um_optics_coarse_create(context, scene, 0, 0, bands, nband, &t->spectra));
-  UM_TRY(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS, 1, &t->work));
+  UM_TRY(um_optics_work_create(context, t->spectra, UM_OPTICS_PATHS,
+                               (size_t)um_core_context_threads(context), &t->work));
   return um_core_allocate(context, 1, sizeof *t->scenes, &t->scenes);
 }
 
@@ -53,7 +57,7 @@ static void tracing_end(struct um_context *context, struct tracing *t)
   um_optics_photons_clear(context, &t->photons);
   if (t->scenes != NULL) um_optics_posed_scenes_clear(context, t->scenes);
   um_core_free(context, t->scenes);
-  um_optics_work_destroy(context, 1, &t->work);
+  um_optics_work_destroy(context, (size_t)um_core_context_threads(context), &t->work);
   um_optics_spectra_destroy(context, &t->spectra);
 }
 
@@ -70,26 +74,52 @@ static enum um_status keep(struct um_context *context, const struct um_optics_ph
   return UM_OK;
 }
 
-/* Photons of an instant. */
+static struct um_optics_paths paths_at(const struct tracing *t,
+                                       const struct um_optics_posed_scene *posed,
+                                       const struct um_optics_instant *now,
+                                       struct um_optics_work *work)
+{
+  return (struct um_optics_paths){.spectra = t->spectra,
+                                  .scene = t->scene,
+                                  .instant = now,
+                                  .posed = posed,
+                                  .work = work,
+                                  .factor = t->scene->view->path_factor[now->time]};
+}
+
+/* Photons of an instant, and room for its first turns. */
 static enum um_status trace(struct um_context *context, struct tracing *t,
                             const struct um_optics_posed_scene *posed, size_t time,
                             struct um_optics_photon_maps *maps)
 {
-  const struct um_optics_scene *scene = t->scene;
-  struct um_optics_instant now = um_optics_instant(scene, time);
-  const struct um_optics_paths paths = {.spectra = t->spectra,
-                                        .scene = scene,
-                                        .instant = &now,
-                                        .posed = posed,
-                                        .work = t->work,
-                                        .factor = scene->view->path_factor[time]};
+  struct um_optics_instant now = um_optics_instant(t->scene, time);
+  const struct um_optics_paths paths = paths_at(t, posed, &now, t->work);
+  size_t bytes;
   UM_TRY(um_optics_photons_reserve(context, t->spectra, posed, paths.factor, t->spectra->nband,
                                    &t->photons));
-  um_optics_turn(t->spectra, scene, &now, t->work);
-  um_optics_photons_trace(&paths, scene->view->seed, &t->photons);
+  um_optics_turn(t->spectra, t->scene, &now, t->work);
+  um_optics_photons_trace(&paths, t->scene->view->seed, &t->photons);
+  UM_TRY(um_optics_first_turns_create(context, &paths, &bytes, &maps->at[time].turns));
+  maps->at[time].turns.lobe = maps->lobe;
   maps->factor[time] = paths.factor;
-  maps->bytes += t->photons.count * sizeof *t->photons.photon;
+  maps->bytes += t->photons.count * sizeof *t->photons.photon + bytes;
   return keep(context, &t->photons, &maps->at[time]);
+}
+
+/* First turns of instants from `from` on, `count` of them; their bits are there. */
+static void trace_turns(const struct um_context *context, struct tracing *t, size_t from,
+                        size_t count, struct um_optics_photon_maps *maps)
+{
+#pragma omp parallel for schedule(dynamic, 1) num_threads(um_core_context_threads(context))
+  for (size_t i = 0; i < count; i++) {
+    struct um_optics_instant now = um_optics_instant(t->scene, from + i);
+    struct um_optics_work *work = &t->work[omp_get_thread_num()];
+    const struct um_optics_paths paths =
+        paths_at(t, &t->scenes->posed[t->scenes->of_time[i]], &now, work);
+    if (maps->at[from + i].turns.bits == NULL || um_core_stopped(context)) continue;
+    um_optics_turn(t->spectra, t->scene, &now, work);
+    um_optics_first_turns_trace(&paths, &maps->at[from + i].turns);
+  }
 }
 
 static enum um_status trace_all(struct um_context *context, struct tracing *t,
@@ -103,6 +133,7 @@ static enum um_status trace_all(struct um_context *context, struct tracing *t,
                                           maps->samples, t->scenes));
     for (size_t i = 0; i < count && maps->bytes <= MOST; i++)
       UM_TRY(trace(context, t, &t->scenes->posed[t->scenes->of_time[i]], from + i, maps));
+    if (maps->bytes <= MOST) trace_turns(context, t, from, count, maps);
   }
   return UM_OK;
 }
@@ -142,6 +173,7 @@ void um_optics_photon_maps_destroy(struct um_context *context, struct um_optics_
   struct um_optics_photon_maps *m = *maps;
   for (size_t t = 0; m->at != NULL && t < m->ntime; t++) {
     UM_FREE(context, m->at[t].photon, m->at[t].beam);
+    um_optics_first_turns_clear(context, &m->at[t].turns);
   }
   UM_FREE(context, m->at, m->factor, m->lobe, m);
   *maps = NULL;
@@ -149,24 +181,12 @@ void um_optics_photon_maps_destroy(struct um_context *context, struct um_optics_
 
 /* --- taking ---------------------------------------------------------------------------------- */
 
-static bool same_mixture(const struct um_materials_mixture *a, const struct um_materials_mixture *b)
-{
-  if (a == NULL || b == NULL || a == b) return a == b;
-  for (int k = 0; k < 2; k++)
-    if (a->of[k].kind != b->of[k].kind || a->of[k].ratio != b->of[k].ratio ||
-        a->of[k].correlated != b->of[k].correlated)
-      return false;
-  return a->share == b->share;
-}
-
 /* Do two lobes send photons alike? What is no mirror ends them. */
 static bool same_mirror(const struct um_materials_lobe *a, const struct um_materials_lobe *b)
 {
   if (!um_optics_is_mirror(a) || !um_optics_is_mirror(b))
     return um_optics_is_mirror(a) == um_optics_is_mirror(b);
-  return a->kind == b->kind && a->alpha == b->alpha && a->alpha_across == b->alpha_across &&
-         a->correlated == b->correlated && a->tilted == b->tilted &&
-         a->compensated == b->compensated && same_mixture(a->mixture, b->mixture);
+  return um_optics_same_lobe(a, b);
 }
 
 bool um_optics_photon_maps_are_compatible(const struct um_optics_photon_maps *maps,
@@ -193,4 +213,10 @@ void um_optics_photon_maps_take(const struct um_optics_photon_maps *maps, size_t
   photons->nbeam = kept->nbeam;
   photons->nroot = kept->nroot;
   um_optics_photons_begin(photons);
+}
+
+const struct um_optics_first_turns *
+um_optics_photon_maps_turns(const struct um_optics_photon_maps *maps, size_t time)
+{
+  return &maps->at[time].turns;
 }

@@ -1,5 +1,6 @@
 /* Sunlight that mirrors throw, kept: the photons of every instant (photons_group.h), for many light
- * curves of scenes that differ in temperatures and in how much surfaces reflect. */
+ * curves of scenes that differ in temperatures and in how much surfaces reflect; and which paths
+ * meet something (first_turns_group.h). */
 #ifndef UMBRA_OPTICS_PHOTON_MAPS_H
 #define UMBRA_OPTICS_PHOTON_MAPS_H
 

@@ -60,6 +60,24 @@ bool um_optics_is_mirror(const struct um_materials_lobe *lobe)
   return lobe->kind != NULL && (lobe->kind->delta || (lobe->kind->rough && lobe->alpha < NARROW));
 }
 
+static bool same_mixture(const struct um_materials_mixture *a, const struct um_materials_mixture *b)
+{
+  if (a == NULL || b == NULL || a == b) return a == b;
+  for (int k = 0; k < 2; k++)
+    if (a->of[k].kind != b->of[k].kind || a->of[k].ratio != b->of[k].ratio ||
+        a->of[k].correlated != b->of[k].correlated)
+      return false;
+  return a->share == b->share;
+}
+
+bool um_optics_same_lobe(const struct um_materials_lobe *a, const struct um_materials_lobe *b)
+{
+  return a->kind == b->kind && a->alpha == b->alpha && a->alpha_across == b->alpha_across &&
+         a->correlated == b->correlated && a->tilted == b->tilted &&
+         a->compensated == b->compensated && a->measured == b->measured &&
+         same_mixture(a->mixture, b->mixture);
+}
+
 /* Density [1/sr] and lobe of a direction that either way may have found. */
 static void weigh(const struct um_optics_paths *paths, const struct um_optics_vertex *v,
                   struct um_vec3 i, struct um_optics_turn *turn)
@@ -94,22 +112,44 @@ static bool draw(const struct um_materials_lobe *lobe, const struct um_optics_ve
   return true;
 }
 
+/* A direction i by the lobe or by the cosine, both frames; false: none. Of the turn the rest is the
+ * lobe's own. */
+static bool direct(const struct um_materials_lobe *lobe, const struct um_optics_vertex *v,
+                   bool by_lobe, const double u[2], struct um_vec3 *i, struct um_optics_turn *turn)
+{
+  if (by_lobe) {
+    struct um_materials_reflected r;
+    if (!draw(lobe, v, v->toward, u, &r, turn)) return false;
+    *i = r.i;
+    return true;
+  }
+  turn->direction = um_core_sample_cosine(u, v->normal);
+  *i = from_body(v->along, v->across, v->normal, turn->direction);
+  return true;
+}
+
+bool um_optics_vertex_direction(const struct um_optics_paths *paths,
+                                const struct um_optics_vertex *v, bool by_lobe, const double u[2],
+                                struct um_vec3 *direction)
+{
+  const struct um_materials_lobe *lobe = &paths->spectra->lobe[v->skin];
+  struct um_optics_turn turn;
+  struct um_vec3 i;
+  if ((by_lobe && lobe->kind == NULL) || !direct(lobe, v, by_lobe, u, &i, &turn)) return false;
+  *direction = turn.direction;
+  return i.z > 0.0;
+}
+
 bool um_optics_vertex_sample(const struct um_optics_paths *paths, const struct um_optics_vertex *v,
                              double which, const double u[2], struct um_optics_turn *turn)
 {
   const struct um_materials_lobe *lobe = &paths->spectra->lobe[v->skin];
-  struct um_vec3 i;
   double share = paths->spectra->lobe_share[v->skin];
-  if (which < share) {
-    struct um_materials_reflected r;
-    if (!draw(lobe, v, v->toward, u, &r, turn)) return false;
-    turn->lobe /= share;
-    if (lobe->kind->delta) return true;
-    i = r.i;
-  } else {
-    turn->direction = um_core_sample_cosine(u, v->normal);
-    i = from_body(v->along, v->across, v->normal, turn->direction);
-  }
+  bool by_lobe = which < share;
+  struct um_vec3 i;
+  if (!direct(lobe, v, by_lobe, u, &i, turn)) return false;
+  if (by_lobe) turn->lobe /= share;
+  if (by_lobe && lobe->kind->delta) return true;
   if (!(i.z > 0.0)) return false;
   weigh(paths, v, i, turn);
   return true;
