@@ -3,7 +3,6 @@
 #define UMBRA_OPTICS_BUNDLE_IMPL_H
 
 #include "base/core/sampling.h"
-#include "optics/paths/first_turns_group.h"
 #include "optics/paths/photons_group.h"
 
 /* Keys that keep the point sequences of different uses apart. */
