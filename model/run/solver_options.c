@@ -102,6 +102,7 @@ enum um_status um_model_solver_options_make(struct um_context *context,
                                             struct um_model_solver_options *out)
 {
   UM_TRY(um_model_solver_options_begin(context, model, tables, out));
+  if (like != NULL) out->options.sums = like->solver->sums;
   return exchange_make(context, model, tables, like, out);
 }
 
@@ -112,6 +113,7 @@ enum um_status um_model_solver_options_moved(struct um_context *context,
                                              struct um_model_solver_options *out)
 {
   UM_TRY(um_model_solver_options_begin(context, model, tables, out));
+  out->options.sums = like->solver->sums;
   if (!exchange_is_compatible(like, model, tables, out->aging))
     return exchange_make(context, model, tables, like, out);
   out->options.exchange = like->solver->options.exchange;
@@ -139,4 +141,5 @@ void um_model_solver_options_clear(struct um_context *context,
 {
   um_model_aging_destroy(context, &solver->aging);
   um_thermal_exchange_destroy(context, &solver->exchange);
+  um_thermal_load_sums_destroy(context, &solver->sums);
 }

@@ -8,12 +8,14 @@
 #include "model/geometry/tables.h"
 #include "thermal/exchange/exchange.h"
 #include "thermal/network/solve_options.h"
+#include "thermal/solver/load_sums.h"
 
 struct um_model_solver_options {
   struct um_thermal_solve_options options;
   struct um_model_aging *aging;         /* behind options.aging; NULL: nothing ages */
   struct um_thermal_exchange *exchange; /* behind options.exchange; NULL: none between surfaces, or
                                            that of another model */
+  struct um_thermal_load_sums *sums;    /* for models next to this one; NULL: none are kept */
 };
 /* Solver options that are at hand, and what they are of. */
 struct um_model_heat_like {
@@ -22,7 +24,8 @@ struct um_model_heat_like {
   const struct um_model_solver_options *solver;
 };
 /* With the optics that the model has. like: of a model with the same surfaces, whose temperatures
- * the exchange begins with, or NULL. Model and geometry tables outlive it; cleared by the
+ * the exchange begins with and whose rows of the loads serve, or NULL; where these are kept it
+ * outlives the options. Model and geometry tables outlive it; cleared by the
  * caller, after a failure too. */
 enum um_status um_model_solver_options_make(struct um_context *context,
                                             const struct um_model *model,

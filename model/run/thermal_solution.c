@@ -154,6 +154,7 @@ static enum um_status solution_make(struct um_context *context, const struct um_
   UM_CHECK(um_model_solver_options_make(context, model, tables, like.model != NULL ? &like : NULL,
                                         &heat->solver));
   heat->solver.options.tolerance_factor = options->tolerance_factor;
+  heat->solver.options.no_audit = warm != NULL;
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->start, &heat->start));
   UM_CHECK(um_core_allocate(context, n, sizeof *heat->mean, &heat->mean));
   if (periodic && !isnan(tables->period))
@@ -198,11 +199,21 @@ enum um_status um_model_thermal_solution_near(struct um_context *context,
   return solution_make(context, model, tables, &options, out);
 }
 
+/* Rows of the loads as heat of the nodes. */
+static enum um_status keep_sums(struct um_context *context, struct um_model_thermal_solution *heat)
+{
+  if (heat->solver.sums != NULL || heat->solver.aging != NULL || heat->tables->loads == NULL)
+    return UM_OK;
+  return um_thermal_load_sums_create(context, heat->model->body->network, heat->tables->loads,
+                                     &heat->solver.sums);
+}
+
 enum um_status um_model_thermal_solution_lead(struct um_context *context,
                                               struct um_model_thermal_solution *heat)
 {
-  if (heat->residual != NULL || heat->tables->points || !um_model_thermal_can_extrapolate(heat))
-    return UM_OK;
+  if (heat->residual != NULL || heat->tables->points) return UM_OK;
+  UM_TRY(keep_sums(context, heat));
+  if (!um_model_thermal_can_extrapolate(heat)) return UM_OK;
   UM_TRY(um_core_allocate(context, um_thermal_network_nodes(heat->model->body->network),
                           sizeof *heat->residual, &heat->residual));
   enum um_status status = um_model_thermal_residual(context, heat, heat->residual);

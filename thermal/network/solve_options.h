@@ -23,6 +23,7 @@ enum um_thermal_factors {
 };
 
 struct um_thermal_exchange;
+struct um_thermal_load_sums; /* thermal/solver/load_sums.h */
 
 struct um_thermal_solve_options {
   double relative_tolerance; /* default 2e-7: errors of one sign add to some 5 mK in an orbit */
@@ -32,9 +33,12 @@ struct um_thermal_solve_options {
   /* Factor on both tolerances, default 1; above 1 without the care for the audit (Newton's
    * iteration ends as CVODES has it): for derivatives, of which many are wanted. */
   double tolerance_factor;
+  bool no_audit; /* heat over the border is not added up: the audit is NaN; temperatures are the
+                    same bits */
   const struct um_thermal_aging *aging; /* borrowed; NULL, the default: surfaces stay as they are */
   const struct um_thermal_exchange *exchange; /* between surfaces, borrowed; NULL: none */
-  enum um_thermal_factors factors;            /* default by structure */
+  const struct um_thermal_load_sums *sums; /* of a network next to this one, borrowed; NULL: none */
+  enum um_thermal_factors factors;         /* default by structure */
 };
 
 #endif

@@ -73,7 +73,8 @@ enum um_status um_thermal_integrator_set_up(struct um_thermal_integrator *integr
   SUN_CHECK(CVodeSetLinearSolver(cvodes, integrator->solver, integrator->matrix));
   SUN_CHECK(CVodeSetLinSysFn(cvodes, um_thermal_integrator_newton));
   SUN_CHECK(CVodeSetMaxErrTestFails(cvodes, 20));
-  SUN_CHECK(CVodeQuadInit(cvodes, um_thermal_integrator_audit_rate, integrator->quadrature));
+  if (!integrator->system->options.no_audit)
+    SUN_CHECK(CVodeQuadInit(cvodes, um_thermal_integrator_audit_rate, integrator->quadrature));
   if (um_thermal_integrator_has_switches(integrator->system)) {
     SUN_CHECK(CVodeRootInit(cvodes, (int)integrator->system->nthermostat,
                             um_thermal_integrator_switches));

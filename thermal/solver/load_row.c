@@ -8,6 +8,28 @@
 #include "thermal/network/load_angle_group.h"
 #include "thermal/network/surface_aging_group.h"
 
+void um_thermal_load_row_take(const struct um_thermal_network *network,
+                              const struct um_irradiation_loads *loads,
+                              const struct um_thermal_aging *aging, size_t row, size_t s,
+                              struct um_thermal_load_taken *out)
+{
+  const struct um_thermal_surface *surface = &network->surface[s];
+  size_t at = row * loads->nsurface + s;
+  double absorptance = um_thermal_aged_absorptance(network, aging, row, s);
+  double emittance = surface->emittance * um_thermal_aged_emittance(aging, row, s);
+  double taken = absorptance - surface->extraction;
+  out->albedo = um_thermal_load_albedo(surface, loads, at, absorptance);
+  out->planet = um_thermal_load_planet(surface, loads, at, emittance);
+  if (surface->law != NULL) {
+    taken *= um_thermal_load_angle(surface->law, loads, at);
+    absorptance *= surface->law->albedo;
+    emittance *= surface->law->planet;
+  }
+  out->sun = taken * (double)loads->sun[at];
+  out->absorptance = absorptance;
+  out->emittance = emittance;
+}
+
 void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_irradiation_loads *loads,
                              const struct um_thermal_aging *aging,
@@ -21,31 +43,22 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
   if (gas != NULL) memset(gas, 0, n * sizeof *gas);
   for (size_t s = 0; s < network->noutside; s++) {
     const struct um_thermal_surface *surface = &network->surface[s];
+    struct um_thermal_load_taken of;
     if (!network->attached[s]) continue;
-    double absorptance = um_thermal_aged_absorptance(network, aging, row, s);
-    double emittance = surface->emittance * um_thermal_aged_emittance(aging, row, s);
-    double taken = absorptance - surface->extraction;
-    double of_albedo = um_thermal_load_albedo(surface, loads, at + s, absorptance);
-    double of_planet = um_thermal_load_planet(surface, loads, at + s, emittance);
-    if (surface->law != NULL) {
-      taken *= um_thermal_load_angle(surface->law, loads, at + s);
-      absorptance *= surface->law->albedo;
-      emittance *= surface->law->planet;
-    }
-    double of_sun = taken * (double)loads->sun[at + s];
+    um_thermal_load_row_take(network, loads, aging, row, s, &of);
     if (exchange != NULL) {
       const struct um_thermal_reflected *r = &exchange->reflected;
-      of_sun += absorptance * um_thermal_reflected_at(exchange, r->sun, row, s);
-      of_albedo += absorptance * um_thermal_reflected_at(exchange, r->albedo, row, s);
-      of_planet += emittance * um_thermal_reflected_at(exchange, r->planet, row, s);
+      of.sun += of.absorptance * um_thermal_reflected_at(exchange, r->sun, row, s);
+      of.albedo += of.absorptance * um_thermal_reflected_at(exchange, r->albedo, row, s);
+      of.planet += of.emittance * um_thermal_reflected_at(exchange, r->planet, row, s);
     }
     for (int k = 0; k < 3; k++) {
       uint32_t node = surface->node[k];
       if (node == UM_THERMAL_SPACE) continue;
       double area = surface->weight[k] * surface->area;
-      sun[node] += area * of_sun;
-      albedo[node] += area * of_albedo;
-      planet[node] += area * of_planet;
+      sun[node] += area * of.sun;
+      albedo[node] += area * of.albedo;
+      planet[node] += area * of.planet;
       if (loads->gas != NULL) gas[node] += area * (double)loads->gas[at + s];
     }
   }

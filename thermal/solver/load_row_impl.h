@@ -23,6 +23,16 @@ void um_thermal_load_row_sum(const struct um_thermal_network *network,
                              const struct um_thermal_aging *aging,
                              const struct um_thermal_exchange *exchange, size_t row, double *sun,
                              double *albedo, double *planet, double *gas);
+/* What a surface that is attached takes of each load, per area, nothing reflected; and its shares
+ * of light and infrared from all sides. */
+struct um_thermal_load_taken {
+  double sun, albedo, planet;    /* as above */
+  double absorptance, emittance; /* [1] */
+};
+void um_thermal_load_row_take(const struct um_thermal_network *network,
+                              const struct um_irradiation_loads *loads,
+                              const struct um_thermal_aging *aging, size_t row, size_t s,
+                              struct um_thermal_load_taken *out);
 /* Emission to space of share k of a surface at that row without its law [W/K^4]: sigma w A eps
  * (1 - blocked). */
 double um_thermal_load_row_emission(const struct um_thermal_network *network,

@@ -7,6 +7,8 @@
  * R_i,space: a surface adds w A eps for its share w. */
 #include "thermal/solver/system_group.h"
 
+#include "thermal/solver/load_sums_impl.h"
+
 #include <math.h>
 
 /* Sort the nodes into unknown, eliminated and fixed. */
@@ -125,6 +127,7 @@ void um_thermal_system_destroy(struct um_thermal_system **system)
   um_thermal_system_heat_destroy(s);
   um_thermal_system_exchange_destroy(s);
   um_thermal_system_store_destroy(s);
+  um_thermal_load_near_destroy(context, &s->near);
   void *const block[] = {s->node,
                          s->unknown,
                          s->capacity,

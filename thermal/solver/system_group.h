@@ -15,6 +15,8 @@
 
 #define UM_THERMAL_NONE UINT32_MAX
 
+struct um_thermal_load_near; /* load_sums_impl.h */
+
 /* Loads of one grid time summed onto nodes. */
 struct um_thermal_load_row {
   size_t row;    /* of the table; (size_t)-1: empty */
@@ -165,6 +167,7 @@ struct um_thermal_system {
   size_t row_low, row_high;                    /* rows in force between two stops */
   size_t interval;                             /* last one used */
   size_t smooth_low, smooth_high, smooth_rows; /* last answer of smooth; rows 0: none */
+  struct um_thermal_load_near *near;           /* rows that are kept; NULL: none that serve */
   struct um_thermal_load_row load_row[2];
   double *planet; /* [n] workspace of a row [W] */
   double *gas;    /* [n] the same; NULL: none */

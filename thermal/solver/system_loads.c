@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal/solver/load_row_impl.h"
+#include "thermal/solver/load_sums_impl.h"
 
 #define ROUNDING 1e-12 /* of absorptances and emittances that reached 0 or 1 */
 
@@ -99,6 +99,8 @@ enum um_status um_thermal_system_loads_build(struct um_thermal_system *system)
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->now.q));
   system->now.t = NAN;
   if (system->loads == NULL) return UM_OK;
+  UM_TRY(um_thermal_load_near_make(context, system->options.sums, system->network, system->loads,
+                                   system->options.aging, system->options.exchange, &system->near));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->planet));
   if (system->loads->gas != NULL)
     UM_TRY(um_core_allocate(context, system->n, sizeof(double), &system->gas));
@@ -124,9 +126,13 @@ static const struct um_thermal_load_row *row_sum(struct um_thermal_system *syste
   if (r->row == row) return r;
   double albedo_on = system->options.albedo_on ? 1.0 : 0.0;
   double planet_on = system->options.planet_on ? 1.0 : 0.0;
-  um_thermal_load_row_sum(system->network, system->loads, system->options.aging,
-                          system->options.exchange, row, r->sun, r->earth, system->planet,
-                          system->gas);
+  if (system->near != NULL)
+    um_thermal_load_near_row(system->near, system->network, system->options.exchange, row, r->sun,
+                             r->earth, system->planet);
+  else
+    um_thermal_load_row_sum(system->network, system->loads, system->options.aging,
+                            system->options.exchange, row, r->sun, r->earth, system->planet,
+                            system->gas);
   r->sun_total = r->albedo_total = r->planet_total = 0.0;
   for (size_t i = 0; i < system->n; i++) {
     double albedo = albedo_on * r->earth[i], planet = planet_on * system->planet[i];
@@ -179,6 +185,7 @@ void um_thermal_system_loads_at(struct um_thermal_system *system, double t)
   double width = grid[next] - grid[k];
   double u = width > 0.0 ? (t - grid[k]) / width : 0.0;
   u = u < 0.0 ? 0.0 : u > 1.0 ? 1.0 : u;
+  if (u == 0.0) next = k; /* nothing of the next row is asked */
   const struct um_thermal_load_row *a = row_sum(system, k), *b = row_sum(system, next);
   const struct um_irradiation_loads *loads = system->loads;
   double irradiance = (1.0 - u) * loads->irradiance[k] + u * loads->irradiance[next];
