@@ -107,11 +107,17 @@ static bool solar_laws_equal(const struct um_thermal_surface_law *a,
          numbers_equal(a->absorptance, b->absorptance, UM_THERMAL_LAW_ANGLES);
 }
 
+bool um_thermal_surface_sunlight_equal(const struct um_thermal_surface *a,
+                                       const struct um_thermal_surface *b)
+{
+  return a->absorptance == b->absorptance && a->extraction == b->extraction &&
+         solar_laws_equal(a->law, b->law);
+}
+
 bool um_thermal_surface_loads_equal(const struct um_thermal_surface *a,
                                     const struct um_thermal_surface *b)
 {
-  return a->absorptance == b->absorptance && a->emittance == b->emittance &&
-         a->extraction == b->extraction && solar_laws_equal(a->law, b->law) &&
+  return um_thermal_surface_sunlight_equal(a, b) && a->emittance == b->emittance &&
          (a->law == b->law || a->law == NULL ||
           (a->law->planet == b->law->planet &&
            numbers_equal(a->law->planet_angle, b->law->planet_angle, UM_ANGULAR_MOMENTS)));

@@ -83,7 +83,9 @@ enum um_status um_thermal_network_grow(struct um_context *context, void *block, 
 const char *um_thermal_network_label(const struct um_thermal_network *network, uint32_t node,
                                      char *text, size_t size);
 
-/* Do two surfaces on the same nodes take the same of every load? network_equal.c. */
+/* Do two surfaces on the same nodes take the same of sunlight, of every load? network_equal.c. */
+bool um_thermal_surface_sunlight_equal(const struct um_thermal_surface *a,
+                                       const struct um_thermal_surface *b);
 bool um_thermal_surface_loads_equal(const struct um_thermal_surface *a,
                                     const struct um_thermal_surface *b);
 

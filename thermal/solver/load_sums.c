@@ -1,6 +1,8 @@
 /* See load_sums.h, load_sums_impl.h. */
 #include <string.h>
 
+#include "base/core/sort.h"
+#include "thermal/network/load_angle_group.h"
 #include "thermal/solver/load_sums_impl.h"
 
 #define MOST ((size_t)256 << 20) /* [byte] */
@@ -20,8 +22,8 @@ struct um_thermal_load_entry {
 /* Surfaces with other optics, and where what others reflect goes. */
 struct um_thermal_load_near {
   const struct um_thermal_load_sums *sums;
-  uint32_t *changed; /* [nchanged] surfaces */
-  size_t nchanged, nentry;
+  uint32_t *changed; /* [nchanged] surfaces; the first nsolar take other sunlight, too */
+  size_t nchanged, nsolar, nentry;
   struct um_thermal_load_entry *entry; /* [nentry] */
 };
 
@@ -90,10 +92,40 @@ static enum um_status find_changed(struct um_context *context,
 {
   const struct um_thermal_network *of = near->sums->network;
   UM_TRY(um_core_allocate(context, network->noutside, sizeof *near->changed, &near->changed));
-  for (size_t s = 0; s < network->noutside; s++)
-    if (network->attached[s] &&
-        !um_thermal_surface_loads_equal(&of->surface[s], &network->surface[s]))
-      near->changed[near->nchanged++] = (uint32_t)s;
+  for (int pass = 0; pass < 2; pass++) {
+    for (size_t s = 0; s < network->noutside; s++) {
+      const struct um_thermal_surface *a = &of->surface[s], *b = &network->surface[s];
+      if (!network->attached[s] || um_thermal_surface_loads_equal(a, b)) continue;
+      if (um_thermal_surface_sunlight_equal(a, b) == (pass == 1))
+        near->changed[near->nchanged++] = (uint32_t)s;
+    }
+    if (pass == 0) near->nsolar = near->nchanged;
+  }
+  return UM_OK;
+}
+
+static int compare_entries(const void *a, const void *b)
+{
+  const struct um_thermal_load_entry *x = a, *y = b;
+  if (x->node != y->node) return x->node < y->node ? -1 : 1;
+  return (x->patch > y->patch) - (x->patch < y->patch);
+}
+
+/* Those of a node and patch become one, in the order of nodes. */
+static enum um_status merge_entries(struct um_context *context, struct um_thermal_load_near *near)
+{
+  size_t kept = 0;
+  UM_TRY(um_core_sort(context, near->entry, near->nentry, sizeof *near->entry, compare_entries));
+  for (size_t e = 0; e < near->nentry; e++) {
+    struct um_thermal_load_entry *to = &near->entry[kept > 0 ? kept - 1 : 0];
+    if (kept == 0 || compare_entries(to, &near->entry[e]) != 0) {
+      near->entry[kept++] = near->entry[e];
+      continue;
+    }
+    to->absorbs += near->entry[e].absorbs;
+    to->receives += near->entry[e].receives;
+  }
+  near->nentry = kept;
   return UM_OK;
 }
 
@@ -119,7 +151,7 @@ static enum um_status find_entries(struct um_context *context,
             surface->node[k], patch, area * absorbs, area * receives};
     }
   }
-  return UM_OK;
+  return merge_entries(context, near);
 }
 
 enum um_status um_thermal_load_near_make(struct um_context *context,
@@ -153,6 +185,31 @@ void um_thermal_load_near_destroy(struct um_context *context, struct um_thermal_
   *near = NULL;
 }
 
+/* What a surface takes more than before: of the Earth's infrared, and of sunlight where it may. */
+static void add_change(const struct um_thermal_load_near *near,
+                       const struct um_thermal_network *network, size_t row, size_t s, bool solar,
+                       double *sun, double *albedo, double *planet)
+{
+  const struct um_irradiation_loads *loads = near->sums->loads;
+  const struct um_thermal_surface *own = &network->surface[s],
+                                  *before = &near->sums->network->surface[s];
+  size_t at = row * loads->nsurface + s;
+  struct um_thermal_load_taken more = {0}, less = {0};
+  more.planet = um_thermal_load_planet(own, loads, at, own->emittance);
+  less.planet = um_thermal_load_planet(before, loads, at, before->emittance);
+  if (solar) um_thermal_load_row_take(network, loads, NULL, row, s, &more);
+  if (solar) um_thermal_load_row_take(near->sums->network, loads, NULL, row, s, &less);
+  for (int k = 0; k < 3; k++) {
+    uint32_t node = own->node[k];
+    double area = own->weight[k] * own->area;
+    if (node == UM_THERMAL_SPACE) continue;
+    planet[node] += area * (more.planet - less.planet);
+    if (!solar) continue;
+    sun[node] += area * (more.sun - less.sun);
+    albedo[node] += area * (more.albedo - less.albedo);
+  }
+}
+
 void um_thermal_load_near_row(const struct um_thermal_load_near *near,
                               const struct um_thermal_network *network,
                               const struct um_thermal_exchange *exchange, size_t row, double *sun,
@@ -163,21 +220,8 @@ void um_thermal_load_near_row(const struct um_thermal_load_near *near,
   memcpy(sun, sums->sun + row * n, n * sizeof *sun);
   memcpy(albedo, sums->albedo + row * n, n * sizeof *albedo);
   memcpy(planet, sums->planet + row * n, n * sizeof *planet);
-  for (size_t i = 0; i < near->nchanged; i++) {
-    size_t s = near->changed[i];
-    const struct um_thermal_surface *surface = &network->surface[s];
-    struct um_thermal_load_taken own, before;
-    um_thermal_load_row_take(network, sums->loads, NULL, row, s, &own);
-    um_thermal_load_row_take(sums->network, sums->loads, NULL, row, s, &before);
-    for (int k = 0; k < 3; k++) {
-      uint32_t node = surface->node[k];
-      double area = surface->weight[k] * surface->area;
-      if (node == UM_THERMAL_SPACE) continue;
-      sun[node] += area * (own.sun - before.sun);
-      albedo[node] += area * (own.albedo - before.albedo);
-      planet[node] += area * (own.planet - before.planet);
-    }
-  }
+  for (size_t i = 0; i < near->nchanged; i++)
+    add_change(near, network, row, near->changed[i], i < near->nsolar, sun, albedo, planet);
   if (near->nentry == 0) return;
   const struct um_thermal_reflected *r = &exchange->reflected;
   size_t at = row * exchange->npatch;
