@@ -1,5 +1,8 @@
 /* Which fraction of a surface is free toward a direction, and which also sees the Sun.
  *
+ * Of a body of few facets shades.c says what is hidden toward the observer, and that nothing stands
+ * before the Sun; rays say the rest.
+ *
  * Points on facets and on the Sun's disc are keyed by facet and sample (points.c), so that a
  * fraction is a smooth function of pose and direction and repeated calls agree. A point of the disc
  * below the surface's own horizon is mirrored through the disc's centre to one above: the cosine at
@@ -11,6 +14,7 @@
 #include <assert.h>
 
 #include "geometry/scatter.h"
+#include "geometry/shades_impl.h"
 #include "geometry/visibility_data_impl.h"
 #include "geometry/visibility_impl.h"
 
@@ -35,6 +39,9 @@ struct task {
   double tangent;      /* of the disc's angular radius */
   uint64_t seed;       /* of the points */
   double *seen, *lit;  /* [nsurface]; lit NULL: not asked */
+  /* the body toward both, where it has few facets */
+  struct um_geometry_shades_look toward_observer, toward_sun;
+  bool few, few_sun;
   struct batch view, sun;
 };
 
@@ -64,14 +71,12 @@ static void trace_sun(struct task *task)
   sun->n = 0;
 }
 
-/* Traces the view rays; those that are free go on to the Sun where the surface faces it. */
-static void trace_view(struct task *task)
+/* Rays of the view that are free go on to the Sun where the surface faces it. */
+static void look_on(struct task *task, const uint8_t *hidden)
 {
-  uint8_t occluded[BATCH];
   struct batch *view = &task->view, *sun = &task->sun;
-  um_geometry_visibility_occluded_coherent(task->visibility, view->ray, view->n, occluded);
   for (size_t i = 0; i < view->n; i++) {
-    if (occluded[i]) continue;
+    if (hidden[i]) continue;
     task->seen[view->surface[i]] += 1.0;
     if (!(view->sun_cosine[i] > 0.0)) continue;
     if (sun->n == BATCH) trace_sun(task);
@@ -82,25 +87,81 @@ static void trace_view(struct task *task)
   view->n = 0;
 }
 
-static void add_samples(struct task *task, size_t surface, double sun_cosine, int nsample)
+static void trace_view(struct task *task)
+{
+  uint8_t occluded[BATCH];
+  struct batch *view = &task->view;
+  um_geometry_visibility_occluded_coherent(task->visibility, view->ray, view->n, occluded);
+  look_on(task, occluded);
+}
+
+static void add_sample(struct task *task, size_t surface, double sun_cosine, int sample)
 {
   const struct um_geometry_visibility *v = task->visibility;
   struct batch *view = &task->view;
   uint32_t facet = v->mesh->surface[surface].facet;
+  struct um_vec3 origin = um_geometry_points_facet(v, task->seed, facet, (uint64_t)sample);
+  view->ray[view->n] = (struct um_geometry_ray){origin, task->o, INFINITY, facet};
+  view->surface[view->n] = surface;
+  view->sample[view->n] = sample;
+  view->sun_cosine[view->n++] = sun_cosine;
+}
+
+static void add_samples(struct task *task, size_t surface, double sun_cosine, int nsample)
+{
   for (int k = 0; k < nsample; k++) {
-    if (view->n == BATCH) trace_view(task);
-    struct um_vec3 origin = um_geometry_points_facet(v, task->seed, facet, (uint64_t)k);
-    view->ray[view->n] = (struct um_geometry_ray){origin, task->o, INFINITY, facet};
-    view->surface[view->n] = surface;
-    view->sample[view->n] = k;
-    view->sun_cosine[view->n++] = sun_cosine;
+    if (task->view.n == BATCH) trace_view(task);
+    add_sample(task, surface, sun_cosine, k);
   }
+}
+
+/* Samples of which is known whether they are hidden; `free_sun`: nothing stands before the Sun. */
+static void add_known(struct task *task, size_t surface, double sun_cosine, bool free_sun,
+                      const uint8_t *hidden, int nsample)
+{
+  static const uint8_t none[BATCH] = {0};
+  double seen = 0.0;
+  for (int k = 0; k < nsample; k++) seen += hidden[k] ? 0.0 : 1.0;
+  if (!(sun_cosine > 0.0) || free_sun) {
+    task->seen[surface] = seen;
+    if (sun_cosine > 0.0) task->lit[surface] = seen;
+    return;
+  }
+  trace_view(task);
+  for (int k = 0; k < nsample; k++) {
+    if (hidden[k]) continue;
+    if (task->view.n == BATCH) look_on(task, none);
+    add_sample(task, surface, sun_cosine, k);
+  }
+  look_on(task, none);
+}
+
+/* A surface of a body of few facets; false: rays have to say. */
+static bool look_at(struct task *task, size_t surface, double sun_cosine, int nsample)
+{
+  const struct um_geometry_visibility *v = task->visibility;
+  struct um_geometry_shade shade[UM_GEOMETRY_SHADES_MOST];
+  uint8_t hidden[UM_GEOMETRY_POINTS];
+  double blur = UM_GEOMETRY_BLUR * v->size;
+  size_t n = um_geometry_shades_before(&task->toward_observer, surface, blur, shade);
+  if (n == SIZE_MAX) return false;
+  um_geometry_shades_on(v, task->seed, v->mesh->surface[surface].facet, shade, n, (size_t)nsample,
+                        hidden);
+  bool free_sun = sun_cosine > 0.0 && task->few_sun &&
+                  um_geometry_shades_before(&task->toward_sun, surface,
+                                            blur + task->tangent * v->size, NULL) == 0;
+  add_known(task, surface, sun_cosine, free_sun, hidden, nsample);
+  return true;
 }
 
 static void run(struct task *task, int nsample)
 {
   const struct um_geometry_visibility *v = task->visibility;
   size_t nsurface = v->mesh->nsurface;
+  task->few = nsample <= UM_GEOMETRY_POINTS &&
+              um_geometry_shades_toward(v, task->o, &task->toward_observer);
+  task->few_sun =
+      task->few && task->lit != NULL && um_geometry_shades_toward(v, task->s, &task->toward_sun);
   for (size_t s = 0; s < nsurface && !um_core_stopped(v->context); s++) {
     struct um_vec3 normal = um_geometry_surface_normal(v->mesh, v->pose, s);
     double sun_cosine = task->lit == NULL ? 0.0 : um_vec3_dot(normal, task->s);
@@ -110,7 +171,7 @@ static void run(struct task *task, int nsample)
     if (v->open[s]) {
       task->seen[s] = nsample;
       if (sun_cosine > 0.0) task->lit[s] = nsample;
-    } else {
+    } else if (!task->few || !look_at(task, s, sun_cosine, nsample)) {
       add_samples(task, s, sun_cosine, nsample);
     }
   }

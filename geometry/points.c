@@ -46,10 +46,21 @@ void um_geometry_points_fill(struct um_geometry_visibility *visibility)
   }
 }
 
+static uint64_t first_of(uint64_t seed, uint32_t facet)
+{
+  return um_core_hash(KEY_POINT + seed, facet) % UM_GEOMETRY_POINTS;
+}
+
+const double (*um_geometry_points_weights(const struct um_geometry_visibility *visibility,
+                                          uint64_t seed, uint32_t facet))[2]
+{
+  return &visibility->weight[first_of(seed, facet)];
+}
+
 struct um_vec3 um_geometry_points_facet(const struct um_geometry_visibility *visibility,
                                         uint64_t seed, uint32_t facet, uint64_t sample)
 {
-  uint64_t index = um_core_hash(KEY_POINT + seed, facet) % UM_GEOMETRY_POINTS + sample;
+  uint64_t index = first_of(seed, facet) + sample;
   double far[2];
   const double *w = far;
   if (index < 2 * UM_GEOMETRY_POINTS)

@@ -22,6 +22,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "geometry/shades_impl.h"
 #include "geometry/visibility_data_impl.h"
 
 #define PACKET 8
@@ -235,6 +236,7 @@ enum um_status um_geometry_visibility_create(struct um_context *context,
   um_geometry_points_fill(v);
   UM_CHECK(um_core_allocate(context, mesh->nsurface, 1, (void *)&v->open));
   UM_CHECK(um_geometry_horizon_find(v));
+  UM_CHECK(um_geometry_shades_find(v));
   UM_CHECK(create_scene(v));
   *out = v;
   v = NULL;
@@ -249,7 +251,7 @@ void um_geometry_visibility_destroy(struct um_geometry_visibility **visibility)
   struct um_geometry_visibility *v = *visibility;
   if (v->scene != NULL) rtcReleaseScene(v->scene);
   if (v->device != NULL) rtcReleaseDevice(v->device);
-  UM_FREE(v->context, v->open, v);
+  UM_FREE(v->context, v->open, v->before, v->before_begin, v);
   *visibility = NULL;
 }
 
