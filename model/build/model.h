@@ -139,6 +139,10 @@ struct um_model {
   const struct um_thermal_ratio **bulk_ratio; /* [2 per record of the library] made so far, or NULL
                                                  (bulk_law.c); NULL: none */
   struct um_thermal_body *body;
+  /* Shares of the half space that the satellite fills, of surfaces of the outside, NaN of others;
+   * NULL: surfaces exchange. A variant's may be its origin's. */
+  double *blocked; /* [nblocked] */
+  size_t nblocked;
   double *start_offset;           /* [node] added to what a run begins with [K]; NULL: nothing */
   struct um_optics_band *band;    /* [nband]; these four are the origin's in a variant */
   double *vega_ab;                /* [nband] AB magnitude of magnitude_vega 0 */

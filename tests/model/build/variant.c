@@ -218,6 +218,46 @@ static void test_of_its_own(void **state)
   um_model_destroy(context, &origin);
 }
 
+/* What surfaces hide of each other's half space is traced once for all variants of a body, and anew
+ * for another body. */
+static void test_shares(void **state)
+{
+  (void)state;
+  static const char *const wing[] = {
+      "parts.+={name: wing, plate: {size_m: [2, 1]}, pose: {position_m: [0, 1.2, 0]}, "
+      "front: grey_white, back: grey_white, lumped: true, shell: {areal_heat_capacity_J_m2_K: "
+      "3000, through_conductance_W_m2_K: 50}}"};
+  static const char *const without[] = {"mutual_radiation", "solar_multiple_reflection"};
+  const struct um_model_options alone = {
+      .overrides = wing, .noverride = 1, .without = without, .nwithout = 2};
+  const struct um_model_addition warmer = {
+      .effect = um_effects_find("emittance"), .target = "grey_white", .value = {0.9}};
+  const struct um_model_addition larger = {
+      .effect = um_effects_find("area"), .target = "wing", .value = {1.2}};
+  const struct um_model_addition exchanging = {.effect = um_effects_find("mutual_radiation")};
+  const struct um_model_changes same = {.addition = &warmer, .naddition = 1},
+                                other = {.addition = &larger, .naddition = 1},
+                                none = {.addition = &exchanging, .naddition = 1};
+  struct um_model *origin = NULL, *variant = NULL;
+  need(um_model_create(context, path, &alone, &origin));
+  assert_non_null(origin->blocked);
+  double most = 0.0;
+  for (size_t s = 0; s < origin->nblocked; s++)
+    if (!isnan(origin->blocked[s])) most = fmax(most, origin->blocked[s]);
+  assert_true(most > 0.05 && most < 1.0);
+  need(um_model_variant_create(context, origin, &same, &variant));
+  assert_ptr_equal(variant->blocked, origin->blocked);
+  um_model_destroy(context, &variant);
+  need(um_model_variant_create(context, origin, &other, &variant));
+  assert_non_null(variant->blocked);
+  assert_ptr_not_equal(variant->blocked, origin->blocked);
+  um_model_destroy(context, &variant);
+  need(um_model_variant_create(context, origin, &none, &variant));
+  assert_null(variant->blocked);
+  um_model_destroy(context, &variant);
+  um_model_destroy(context, &origin);
+}
+
 /* Two months of one cell each, with other albedos. */
 static int set_up(void **state)
 {
@@ -247,6 +287,7 @@ static int tear_down(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_keys), cmocka_unit_test(test_effects),
-                                     cmocka_unit_test(test_of_its_own)};
+                                     cmocka_unit_test(test_of_its_own),
+                                     cmocka_unit_test(test_shares)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
