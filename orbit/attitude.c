@@ -307,13 +307,21 @@ enum um_status um_orbit_attitude_slew(struct um_context *context,
   return UM_OK;
 }
 
-/* |phi'| + |psi'| [rad/s]. */
+/* How fast directions turn in a body that nutates [rad/s]: with s a fixed direction in body axes,
+ * s' = -w x s, what is linear over a time h is off by h^2/8 |s''|, and
+ *
+ *   |s''| <= |w|^2 + |w'|,   |w|^2 = phi'^2 + psi'^2 + 2 phi' psi' cos(theta),
+ *                            |w'| = |phi' psi'| sin(theta),
+ *
+ * so that it turns as a steady spin of the root of that. */
 static double spin_rate(const struct um_orbit_attitude_law *law)
 {
   double theta = hypot(law->nutation[0], law->nutation[1]), k = law->inertia_ratio;
-  double own = cos(theta) * (1.0 - k) / k;
-  return 2.0 * UM_PI / fabs(law->period) *
-         (theta > 0.0 ? (1.0 + fabs(own)) / fabs(1.0 + own) : 1.0);
+  double turn = 2.0 * UM_PI / fabs(law->period);
+  if (!(theta > 0.0)) return turn;
+  double own = cos(theta) * (1.0 - k) / k, square = 1.0 + own * own + 2.0 * own * cos(theta);
+  double phi = turn / fabs(1.0 + own);
+  return phi * sqrt(square + fabs(own) * sin(theta));
 }
 
 static double law_rate(const struct law *now, double orbital_rate)

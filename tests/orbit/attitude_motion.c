@@ -33,6 +33,26 @@ static struct free_body moved(const struct free_body *s, double h, const struct 
   return out;
 }
 
+/* The rate by which rows are laid out: what stands in space bends in body axes by its square at
+ * most, and it is not half as much again. */
+static void rate_bounds_bend(struct um_context *context, const struct um_orbit_attitude *a)
+{
+  static const struct um_vec3 stands[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0.0, 0.8}};
+  double most = 0.0, rate = um_orbit_attitude_rate(a, 1e-3), h = 0.05;
+  for (int n = 0; n < 2000; n++)
+    for (size_t i = 0; i < sizeof stands / sizeof *stands; i++) {
+      struct um_vec3 s[3];
+      for (int k = 0; k < 3; k++) {
+        struct um_orbit_attitude_input at = input_at(50.0 + 0.5 * n + (k - 1) * h);
+        s[k] = um_quat_apply(attitude_at(context, a, &at), stands[i]);
+      }
+      struct um_vec3 bend = um_vec3_axpy(um_vec3_add(s[0], s[2]), -2.0, s[1]);
+      most = fmax(most, um_vec3_norm(bend) / (h * h));
+    }
+  if (!(most <= 1.001 * rate * rate && rate * rate <= 2.25 * most))
+    fail_msg("bends by %g, rate %g", most, rate);
+}
+
 static void nutation_case(struct um_context *context, double k, double tip, double across,
                           enum um_orbit_axis_frame frame)
 {
@@ -48,6 +68,7 @@ static void nutation_case(struct um_context *context, double k, double tip, doub
                                       .nutation = {tip, across},
                                       .inertia_ratio = k};
   struct um_orbit_attitude *a = attitude_of(context, law);
+  if (frame == UM_AXIS_GCRS) rate_bounds_bend(context, a);
   struct um_orbit_attitude_input now = input_at(50.0);
   struct um_quat q = attitude_at(context, a, &now);
   double theta = hypot(tip, across), own = cos(theta) * (1.0 - k) / k;
