@@ -19,7 +19,7 @@
 #include "orbit/attitude.h"
 #include "thermal/network/body.h"
 
-#define UM_EFFECT_ABI_VERSION 5
+#define UM_EFFECT_ABI_VERSION 6
 
 enum um_effect_target {
   UM_TARGET_GLOBAL = 1,
@@ -58,6 +58,11 @@ struct um_effect_parameter {
   /* A temperature of the target [K] that matters only while another parameter is off its null
    * value: a diagnosis starts from one that the target has. */
   bool is_temperature;
+  /* How fast that goes on which other parameters begin; it matters only while one of them is off
+   * its null value, and observations follow it smoothly: a diagnosis looks at all its range by what
+   * small turns of the body do (evidence/sensitivity/scan_rates.c). Of effects on the attitude law.
+   */
+  bool is_rate;
   /* Said by the user, never fitted, and no column of any signature: what only numbers one of many
    * equal possibilities, or steps. Behind all others. */
   bool chosen;
@@ -127,6 +132,7 @@ struct um_effect_nominal {
   bool has_power_history;                   /* beside interior_power */
   double contact_conductance;               /* of the only contact [W/K] */
   double longest_exposure, spin_period;     /* of an observation, of the first law that turns [s] */
+  double inertia_ratio;                     /* of the first law of the kind spin [1] */
 };
 
 static inline void um_effect_state(struct um_effect_stated *out, const char *what, const char *unit,

@@ -14,6 +14,8 @@ struct um_inference_direction {
   const double *minimum_step; /* [ncolumn] lowest and highest change of the parameter from null: */
   const double *maximum_step; /* 0 makes the test one-sided; +-INFINITY: none */
   const double *prior_sigma;  /* [ncolumn] INFINITY: none */
+  size_t trials; /* directions that were tried, of which this is the best: p is that of the best of
+                    so many; 0 and 1: it alone */
 };
 
 /* Directions that may be present anyway: calibration factors, accepted effects. prior_sigma

@@ -7,6 +7,9 @@
  * A single column whose parameter can only go one way, z = sign * sqrt(S) ~ N(0, 1): p = P(Z > z),
  * half the chi-square tail where the sign is the allowed one, above 1/2 and S = 0 where it is not.
  *
+ * The best of m directions of one test: p becomes 1 - (1 - p)^m, which bounds that of the largest
+ * (Sidak).
+ *
  * Family-wise p by Holm's steps (1979, Scand. J. Stat. 6:65) with Sidak's exponents (1967, JASA
  * 62:626): sorted, p~_(j) = max over i <= j of 1 - (1 - p_(i))^(m - i + 1). Single columns that
  * are one direction after the nuisances, with the same side allowed, are one test. */
@@ -102,6 +105,7 @@ static enum um_status test_one(struct um_context *context, struct um_inference_p
   memcpy(rotated, r, p->nleft * sizeof *r);
   um_inference_qr_rotate(qr, rotated);
   evaluate(d, qr, rotated, out);
+  if (d->trials > 1) out->p = -expm1((double)d->trials * log1p(-out->p));
   if (d->ncolumn == 1) {
     UM_CHECK(um_core_allocate(context, p->nleft, sizeof *member->unit, &member->unit));
     keep_unit(qr, d, left, p->nleft, member);

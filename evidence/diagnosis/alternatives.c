@@ -110,8 +110,8 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
          n - (double)(state->nparameter + nunidentified + 1);
 }
 
-/* Fit alternatives from..until. shaped: those with parameters unidentified under the null; else
- * those without. Where none is ahead yet, the first one is fitted alone: the others are held
+/* Fit alternatives from..until. shaped: those that are rough (um_diagnosis_is_rough); else the
+ * others. Where none is ahead yet, the first one is fitted alone: the others are held
  * against it. */
 static enum um_status try_alternatives(struct um_context *context,
                                        const struct um_diagnosis_work *work,
@@ -124,10 +124,10 @@ static enum um_status try_alternatives(struct um_context *context,
   size_t n = 0, scans = 0;
   for (size_t i = from; i < until; i++) {
     struct um_diagnosis_alternative *alternative = &step->alternative[i];
-    size_t nunidentified = work->candidates->candidate[alternative->candidate].nunidentified;
-    if (alternative->fitted || (nunidentified > 0) != shaped) continue;
-    if (shaped &&
-        (is_hopeless(work, state, nunidentified, ahead) || ++scans > UM_DIAGNOSIS_UNIDENTIFIED_MAX))
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[alternative->candidate];
+    if (alternative->fitted || um_diagnosis_is_rough(c) != shaped) continue;
+    if (shaped && (is_hopeless(work, state, c->nunidentified, ahead) ||
+                   ++scans > UM_DIAGNOSIS_UNIDENTIFIED_MAX))
       break;
     at_once[n++] = alternative;
     if (ahead != NULL && n < AT_ONCE) continue;
@@ -149,10 +149,10 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
   size_t n = 0;
   for (size_t i = 0; ahead != NULL && i < step->nalternative && n < UM_DIAGNOSIS_TIES; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
-    size_t nunidentified = work->candidates->candidate[r->candidate].nunidentified;
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
     if (r->fitted || r->refused || r->score.absorbed || r->score.p >= UM_INFERENCE_WRONG_SIDE ||
         !(r->score.statistic > ahead->score.statistic - UM_DIAGNOSIS_EVIDENCE) ||
-        (nunidentified > 0 && is_hopeless(work, state, nunidentified, ahead)))
+        (um_diagnosis_is_rough(c) && is_hopeless(work, state, c->nunidentified, ahead)))
       continue;
     tied[n++] = r;
   }

@@ -66,8 +66,8 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
         d->column[(at + k) * n + j] = c->insensitive ? 0.0
                                                      : slope[k] * c->signature[k * n + j] /
                                                            work->forward->observations.sigma[j];
-    d->direction[i] =
-        (struct um_inference_direction){c->ncolumn, d->column + at * n, low, high, prior};
+    d->direction[i] = (struct um_inference_direction){c->ncolumn, d->column + at * n, low, high,
+                                                      prior,      c->trials};
     at += c->ncolumn;
   }
   for (size_t b = 0, k = 0; b < state->nblock; b++)

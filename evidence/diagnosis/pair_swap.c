@@ -111,8 +111,8 @@ static bool is_open(const struct um_diagnosis_work *work, const struct um_diagno
                     size_t i)
 {
   const struct um_sensitivity_candidate *c = &work->candidates->candidate[i];
-  /* parameters unidentified under the null need a scan each, and there are too many pairs */
-  return !c->insensitive && c->nunidentified == 0 && !um_diagnosis_is_taken(state, c);
+  /* rough ones need a scan each, and there are too many pairs */
+  return !c->insensitive && !um_diagnosis_is_rough(c) && !um_diagnosis_is_taken(state, c);
 }
 
 enum um_status um_diagnosis_pairs_find(struct um_context *context,

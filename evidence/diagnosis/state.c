@@ -6,6 +6,15 @@
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 
+bool um_diagnosis_is_rough(const struct um_sensitivity_candidate *candidate)
+{
+  for (size_t k = 0; k < candidate->nunidentified; k++)
+    if (candidate->trials == 0 ||
+        !candidate->effect->parameters[candidate->unidentified[k]].is_rate)
+      return true;
+  return false;
+}
+
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate)
 {
@@ -91,7 +100,7 @@ static size_t iterations(const struct um_diagnosis_work *work,
 {
   for (size_t b = 0; b < state->nblock; b++)
     if (state->block[b].candidate != UM_COMPARE_NOWHERE &&
-        work->candidates->candidate[state->block[b].candidate].nunidentified > 0)
+        um_diagnosis_is_rough(&work->candidates->candidate[state->block[b].candidate]))
       return UM_DIAGNOSIS_NON_SMOOTH_STEPS;
   return 0;
 }

@@ -43,6 +43,10 @@ struct um_diagnosis_state {
   struct um_inference_fit *fit;
 };
 
+/* Has a candidate parameters unidentified under the null that chi-square does not follow smoothly,
+ * so that it takes a scan of runs and a simplex? Of rates that were looked for (scan_rates.c) it
+ * has not. */
+bool um_diagnosis_is_rough(const struct um_sensitivity_candidate *candidate);
 /* A block of a candidate at its null values. */
 struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *work,
                                                 size_t candidate);

@@ -65,6 +65,13 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         const double *signal, struct um_diagnosis_step *step);
 
+/* Start values of block b of a state, a candidate that was added to the fitted state `before`, by
+ * the linear model: where rates begin to matter. */
+enum um_status um_diagnosis_start_along(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        const struct um_diagnosis_state *before,
+                                        struct um_diagnosis_state *state, size_t b);
+
 /* Start values of block b of a state, a candidate with parameters unidentified under the null that
  * was added to the fitted state `before`: the best of a small scan. */
 enum um_status um_diagnosis_start(struct um_context *context, const struct um_diagnosis_work *work,

@@ -60,10 +60,14 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
   bool shaped = false;
   UM_CHECK(blocks_with(context, work, state, candidate, ncandidate, out));
   for (size_t i = 0; i < ncandidate; i++) {
-    switched = switched || work->candidates->candidate[candidate[i]].is_switch;
-    if (work->candidates->candidate[candidate[i]].nunidentified == 0) continue;
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
+    switched = switched || c->is_switch;
+    if (c->nunidentified == 0) continue;
     shaped = true;
-    UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
+    if (um_diagnosis_is_rough(c))
+      UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
+    else
+      UM_CHECK(um_diagnosis_start_along(context, work, state, out, state->nblock + i));
   }
   if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
   /* a switch is on from the start, so the state's values are not those of the start */
@@ -81,7 +85,8 @@ static enum um_status refine(struct um_context *context, const struct um_diagnos
                              struct um_diagnosis_state *state)
 {
   size_t last = trial->candidate[trial->ncandidate - 1];
-  if (work->candidates->candidate[last].nunidentified == 0 || !(state->fit->bic < trial->lead))
+  if (!um_diagnosis_is_rough(&work->candidates->candidate[last]) ||
+      !(state->fit->bic < trial->lead))
     return UM_OK;
   return um_diagnosis_simplex_refine(context, work, state, state->nblock - 1);
 }

@@ -60,7 +60,7 @@ static enum um_status add_best(struct um_context *context, const struct um_diagn
   if (n == 0) goto done;
   size_t best = ranking[0].candidate;
   UM_CHECK(um_diagnosis_with(context, work, state, &best, 1, INFINITY, &trial));
-  if (work->candidates->candidate[best].nunidentified > 0)
+  if (um_diagnosis_is_rough(&work->candidates->candidate[best]))
     UM_CHECK(um_diagnosis_simplex_refine(context, work, &trial, trial.nblock - 1));
   trial.block[trial.nblock - 1].addition.target = wanted[best].target; /* outlives the candidate */
   um_diagnosis_state_release(context, state);

@@ -41,6 +41,9 @@ struct um_sensitivity_candidate {
   /* parameters unidentified under the null, which do nothing while the others are null: fitted, not
    * tested */
   size_t nunidentified, unidentified[UM_EFFECT_PARAMETERS_MAX];
+  /* null values of a rate were looked for in its range, where these observations speak for it most:
+   * so many tests in one (scan_rates.c); 0: none was */
+  size_t trials;
   /* [effect's nparameter]: the scenario's values; of shapes where a fit starts */
   double null_value[UM_EFFECT_PARAMETERS_MAX];
   /* [effect's nparameter]: the effect's own range, less where what the scenario states would not be

@@ -205,6 +205,27 @@ static bool is_like(const struct um_variant *a, const struct um_variant *b)
          a->tables->nobs == b->tables->nobs && a->tables->nsub == b->tables->nsub;
 }
 
+enum um_status um_sensitivity_forward_evaluate_turned(struct um_context *context,
+                                                      struct um_sensitivity_forward *forward,
+                                                      struct um_vec3 turn, double *value)
+{
+  enum um_status status;
+  const struct um_variant *base = &forward->base;
+  struct um_model_result *result = NULL;
+  double begin = omp_get_wtime();
+  um_core_quiet_begin(context);
+  UM_CHECK(um_model_run_turned(context, base->model, base->tables, base->heat, turn, &result));
+  UM_CHECK(
+      um_compare_predict(context, forward->plan, base->tables, result, forward->cache->predicted));
+  UM_CHECK(gather(context, forward, base->tables, value));
+done:
+  um_model_result_destroy(context, &result);
+  um_core_quiet_end(context);
+  forward->evaluations++;
+  forward->seconds += omp_get_wtime() - begin;
+  return status;
+}
+
 static enum um_status evaluate_part(struct um_context *context,
                                     struct um_sensitivity_forward *forward,
                                     const struct um_model_addition *addition, bool held,

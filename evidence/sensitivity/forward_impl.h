@@ -62,4 +62,9 @@ enum um_status um_sensitivity_forward_evaluate_part(struct um_context *context,
                                                     const struct um_model_addition *addition,
                                                     enum um_sensitivity_part part, bool *apart,
                                                     double *value);
+/* Values of the scenario as it stands with the body turned by a rotation vector in its own axes
+ * [rad] at every instant, with its heat and loads (um_model_run_turned). */
+enum um_status um_sensitivity_forward_evaluate_turned(struct um_context *context,
+                                                      struct um_sensitivity_forward *forward,
+                                                      struct um_vec3 turn, double *value);
 #endif

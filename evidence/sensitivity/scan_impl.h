@@ -12,4 +12,11 @@ enum um_status um_sensitivity_scan(struct um_context *context,
                                    struct um_sensitivity_candidate *candidate,
                                    struct um_model_result **base);
 
+/* Set null values of rates (um_effect_parameter.is_rate) to those for which the observations speak
+ * most, and how many were looked at, of candidates [count] that have one that matters only beside
+ * other parameters. Errors of the model. */
+enum um_status um_sensitivity_scan_rates(struct um_context *context,
+                                         struct um_sensitivity_forward *forward,
+                                         struct um_sensitivity_candidate *candidate, size_t count);
+
 #endif

@@ -34,6 +34,7 @@ static enum um_status make_columns(struct um_context *context,
     struct um_sensitivity_change change;
     double step = um_sensitivity_first_step(c, p, at[p]);
     double *column = c->signature + c->ncolumn * n;
+    if (c->trials > 0 && c->effect->parameters[p].is_rate) continue; /* it was looked for */
     const struct um_sensitivity_mover mover = {context, point, c, at, p, column};
     UM_TRY(um_sensitivity_derivative(&mover, &step, &change, &c->quality[p]));
     if (!um_sensitivity_alive(&change, point->noise)) continue;

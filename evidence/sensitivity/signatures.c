@@ -248,6 +248,8 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
   UM_CHECK(um_core_allocate(context, count, sizeof *work.is_done, &work.is_done));
   for (size_t i = 0; i < count; i++)
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
+  if (!point->derivatives && point->naddition == 0)
+    UM_CHECK(um_sensitivity_scan_rates(context, f, candidate, count));
   if (possible) make_groups(&work, count);
   um_core_progress_begin(context, "signatures of effects", work.ntask + count);
   status = run_tasks(context, &work);

@@ -85,6 +85,8 @@ static void of_scenario(const struct um_scenario *scenario, struct um_effect_nom
   if (scenario->contacts.count == 1) out->contact_conductance = contact[0].conductance_W_K;
   for (size_t i = 0; i < scenario->attitude.count && isnan(out->spin_period); i++)
     if (um_scenario_turn(&law[i], &turn)) out->spin_period = turn.period_s;
+  for (size_t i = 0; i < scenario->attitude.count && isnan(out->inertia_ratio); i++)
+    if (law[i].spin != NULL) out->inertia_ratio = law[i].spin->inertia_ratio;
 }
 
 static struct um_effect_nominal nominal_of(const struct um_sensitivity_forward *forward,
@@ -104,7 +106,8 @@ static struct um_effect_nominal nominal_of(const struct um_sensitivity_forward *
                                   .interior_power = NAN,
                                   .interior_capacity = NAN,
                                   .contact_conductance = NAN,
-                                  .spin_period = NAN};
+                                  .spin_period = NAN,
+                                  .inertia_ratio = NAN};
   for (size_t b = model->nband; b-- > 0;) {
     if (model->band[b].from < UM_INFRARED_FROM) continue;
     out.infrared_from = model->band[b].from;

@@ -26,6 +26,14 @@ enum um_status um_model_run_observed(struct um_context *context, const struct um
                                      const struct um_model_thermal_solution *heat,
                                      struct um_model_result **out);
 
+/* um_model_run_observed of the body turned by a rotation vector in its own axes [rad] at every
+ * observed instant, with the temperatures and the loads that it has: lines of sight alone are
+ * traced anew. */
+enum um_status um_model_run_turned(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_tables *tables,
+                                   const struct um_model_thermal_solution *heat,
+                                   struct um_vec3 turn, struct um_model_result **out);
+
 /* um_model_run_observed of a model whose light is at hand: air, instrument and temperatures. */
 enum um_status um_model_run_behind(struct um_context *context, const struct um_model *model,
                                    const struct um_model_tables *tables,

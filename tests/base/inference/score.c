@@ -15,7 +15,7 @@ static const double ANY[2][8] = {
 
 static struct um_inference_direction direction_of(size_t ncolumn, const double *column)
 {
-  return (struct um_inference_direction){ncolumn, column, ANY[0], ANY[1], ANY[1]};
+  return (struct um_inference_direction){ncolumn, column, ANY[0], ANY[1], ANY[1], 0};
 }
 
 static double at(size_t i) { return (double)i / (double)(ROWS - 1); }
@@ -346,18 +346,31 @@ static void test_memory(void **state)
   memory_sweep(everything, 40);
 }
 
+/* The best of many directions: p of one is made that of the largest of so many. */
+static void test_best_of_many(void **state)
+{
+  struct um_context *c = *state;
+  struct um_inference_score one, best;
+  double r[ROWS];
+  struct um_inference_direction d = direction_of(2, bend[0]);
+  for (size_t i = 0; i < ROWS; i++) r[i] = 0.8 * bend[1][i] + 0.1 * bend[0][i];
+  assert_int_equal(um_inference_score_test(c, ROWS, r, &nuisance, 1, &d, &one), UM_OK);
+  d.trials = 20;
+  assert_int_equal(um_inference_score_test(c, ROWS, r, &nuisance, 1, &d, &best), UM_OK);
+  assert_true(one.p > 0.01 && one.p < 0.9);
+  assert_true(fabs(best.p - (1.0 - pow(1.0 - one.p, 20.0))) < 1e-12);
+  assert_true(best.statistic == one.statistic);
+  assert_true(best.p_corrected == best.p);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_closed_form),
-                                     cmocka_unit_test(test_priors_of_nuisances),
-                                     cmocka_unit_test(test_absorbed),
-                                     cmocka_unit_test(test_collinear_is_one_test),
-                                     cmocka_unit_test(test_collinear_columns),
-                                     cmocka_unit_test(test_underflow),
-                                     cmocka_unit_test(test_separation),
-                                     cmocka_unit_test(test_refused),
-                                     cmocka_unit_test(test_memory),
-                                     cmocka_unit_test(test_p_is_uniform),
-                                     cmocka_unit_test(test_family_wise_rate)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_closed_form),       cmocka_unit_test(test_priors_of_nuisances),
+      cmocka_unit_test(test_absorbed),          cmocka_unit_test(test_collinear_is_one_test),
+      cmocka_unit_test(test_collinear_columns), cmocka_unit_test(test_underflow),
+      cmocka_unit_test(test_separation),        cmocka_unit_test(test_best_of_many),
+      cmocka_unit_test(test_refused),           cmocka_unit_test(test_memory),
+      cmocka_unit_test(test_p_is_uniform),      cmocka_unit_test(test_family_wise_rate)};
   return cmocka_run_group_tests(tests, set_up, context_tear_down);
 }
