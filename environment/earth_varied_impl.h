@@ -11,17 +11,17 @@
 #define UM_EARTH_VARIED_CELLS  (UM_EARTH_VARIED_RINGS * UM_EARTH_VARIED_AROUND)
 #define UM_EARTH_WINDOW        10e-6 /* wavelength that brightness temperatures are averaged at [m] */
 
-struct um_environment_varied_cell {
-  struct um_vec3 direction; /* unit, from the satellite */
-  double solid_angle;       /* [sr] */
-  double albedo;            /* (a - mean) max(cos SZA, 0) dOmega [sr] */
-  double planet;            /* (M - mean)/pi dOmega [W/m^2] */
-  double window;            /* spectral radiance at UM_EARTH_WINDOW, times dOmega [W/m^2/m] */
-};
 struct um_environment_varied {
   double albedo, longwave; /* means over the cap, as a plate that faces nadir sees them */
   double brightness;       /* the same [K] */
-  struct um_environment_varied_cell cell[UM_EARTH_VARIED_CELLS];
+  /* of a cell */
+  double x[UM_EARTH_VARIED_CELLS], y[UM_EARTH_VARIED_CELLS], z[UM_EARTH_VARIED_CELLS]; /* unit, from
+                                                                            the satellite */
+  double solid_angle[UM_EARTH_VARIED_CELLS];                                           /* [sr] */
+  double of_albedo[UM_EARTH_VARIED_CELLS]; /* (a - mean) max(cos SZA, 0) dOmega [sr] */
+  double of_planet[UM_EARTH_VARIED_CELLS]; /* (M - mean)/pi dOmega [W/m^2] */
+  double window[UM_EARTH_VARIED_CELLS];    /* spectral radiance at UM_EARTH_WINDOW, times dOmega
+                                              [W/m^2/m] */
 };
 
 /* view: of the same place. */
