@@ -101,7 +101,7 @@ struct um_thermal_system_exchange {
 /* A part of a node's capacity that goes with temperature. */
 struct um_thermal_system_share {
   const struct um_thermal_ratio *ratio; /* of the network; NULL: an unused entry, the last ones */
-  const double *content; /* [UM_THERMAL_LAW_TEMPERATURES] its integral from 0 K [K] */
+  const double *content; /* [UM_THERMAL_LAW_TEMPERATURES] its integral, 300 K at 300 K [K] */
   double share;          /* of the capacity stated [1] */
 };
 struct um_thermal_system_store {

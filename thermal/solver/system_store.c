@@ -1,18 +1,21 @@
 /* Capacities that go with temperature. With C stated at 300 K and shares w_s of it by ratios
  * r_s(T),
  *
- *   C(T) = C (1 + sum_s w_s (r_s(T) - 1)),   E(T) = integral of C(T') dT' from 0 K,
+ *   C(T) = C (1 + sum_s w_s (r_s(T) - 1)),   E(T) = integral of C(T') dT' from 300 K,
  *
  * and what is integrated in time is not T but
  *
- *   h = E(T) / C,   dh/dt = H(T(h)) / C,   d(dh_i/dt)/dh_j = d(H_i / C_i)/dT_j  dT_j/dh_j.
+ *   h = 300 K + E(T) / C,   dh/dt = H(T(h)) / C,   d(dh_i/dt)/dh_j = d(H_i / C_i)/dT_j  dT_j/dh_j.
  *
  * Multistep methods keep linear balances, so that the sum of C h, the heat stored, closes the audit
- * as it does where capacities are constant; there h is T, and nothing here is done. r is linear
+ * as it does where capacities are constant; there h is T, and nothing here is done. From 300 K, so
+ * that another law has nearly the same h at the same T: a sensitivity to a law is held to the
+ * answer of h, of which that of T is what a shift of h leaves. r is linear
  * between the rows of its table, E a parabola there; below 0 K and beyond the table r is constant.
  */
 #include <math.h>
 
+#include "base/core/constants.h"
 #include "thermal/solver/system_group.h"
 
 #define ROWS       UM_THERMAL_LAW_TEMPERATURES
@@ -41,12 +44,18 @@ static enum um_status shares_collect(struct um_thermal_system *system)
   return UM_OK;
 }
 
-/* The trapezoid is exact: r is linear between rows. */
+/* The integral of r at the rows, that at 300 K being 300 K. The trapezoid is exact: r is linear
+ * between rows. */
 static void content_fill(const struct um_thermal_ratio *ratio, double *content)
 {
+  double slope, reference = um_thermal_ratio_at(ratio, UM_REFERENCE_TEMPERATURE, &slope);
+  size_t k = (size_t)(UM_REFERENCE_TEMPERATURE / UM_THERMAL_LAW_STEP);
+  double past = UM_REFERENCE_TEMPERATURE - (double)k * UM_THERMAL_LAW_STEP;
   content[0] = 0.0;
   for (size_t r = 1; r < ROWS; r++)
     content[r] = content[r - 1] + 0.5 * UM_THERMAL_LAW_STEP * (ratio->at[r - 1] + ratio->at[r]);
+  double off = content[k] + 0.5 * past * (ratio->at[k] + reference) - UM_REFERENCE_TEMPERATURE;
+  for (size_t r = 0; r < ROWS; r++) content[r] -= off;
 }
 
 enum um_status um_thermal_system_store_build(struct um_thermal_system *system)
@@ -74,13 +83,13 @@ void um_thermal_system_store_destroy(struct um_thermal_system *system)
           system->store);
 }
 
-/* Integral of r from 0 K to T [K], and r there. */
+/* Integral of r to T [K], that at 300 K being 300 K, and r there. */
 static double content_of(const struct um_thermal_system_share *share, double t, double *ratio)
 {
   const double *r = share->ratio->at;
   if (t <= 0.0) {
     *ratio = r[0];
-    return r[0] * t;
+    return share->content[0] + r[0] * t;
   }
   double x = t / UM_THERMAL_LAW_STEP;
   if (x >= ROWS - 1) {

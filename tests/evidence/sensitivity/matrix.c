@@ -178,7 +178,7 @@ struct tally {
 
 /* What forward sensitivities of temperatures miss by more than they promise. Exchange between
  * surfaces has emittances at their mean temperatures (the effect emittance_temperature), which move
- * with the parameter and here do not: 1.3e-2, 2.6e-3 and 2.0e-3 of a law of the heat capacity, of
+ * with the parameter and here do not: 1.2e-2, 2.6e-3 and 2.0e-3 of a law of the heat capacity, of
  * the Earth's infrared and of the Sun; with that effect off 1.5e-3, 1.6e-4 and 6e-4.
  */
 static const struct {
@@ -298,16 +298,16 @@ static void test_what_if(void **state)
   struct matrix w;
   struct um_sensitivity_what_if near, far, linear;
   make(&(struct scene){"satellite", NULL, SET(set)}, only, 2, &w);
-  struct um_model_addition a = addition_of("emittance", "grey_panel", 1.02);
+  struct um_model_addition a = addition_of("emittance", "grey_panel", 1.04);
   assert_ok(um_sensitivity_what_if_create(context, w.m, &a, &near));
   a.value[0] = 1.08;
   assert_ok(um_sensitivity_what_if_create(context, w.m, &a, &far));
   assert_int_equal(near.nrow, 1);
   print_message("by the matrix in %.2g s, by a run in %.2g s; within %g and %g of the way\n",
                 near.seconds, near.seconds_exact, near.within, far.within);
-  assert_true(near.within > 1.0); /* 2 % of an emittance bends little .. */
+  assert_true(near.within > 1.0); /* 4 % of an emittance bends little, above steps of heat .. */
   /* .. and the way within which the line is good is the same, seen from either */
-  assert_close(0.02 * near.within, 0.08 * far.within, 0.15 * 0.02 * near.within);
+  assert_close(0.04 * near.within, 0.08 * far.within, 0.15 * 0.04 * near.within);
   for (size_t c = 0; c < w.m->ncurve; c++) {
     assert_true(near.error[c].rms <= near.error[c].largest);
     assert_true(near.error[c].largest <= 0.011 / (near.within * near.within));

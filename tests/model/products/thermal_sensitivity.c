@@ -50,6 +50,7 @@ static const struct moved mirror_moves[] = {
     {"solar_absorptance", "fep_silver", 0, NAN, 0.01, 1e-3},
     {"solar_absorptance", "cfrp", 0, NAN, 0.01, 1e-3},
     {"solar_irradiance", NULL, 0, NAN, 0.01, 1.0},
+    {"specific_heat_law", "array", 0, NAN, 1e-3, 1e-3},
 };
 
 struct world {
