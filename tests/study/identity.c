@@ -52,7 +52,7 @@ static void test_list_changes(void **state)
   fputs("0123456789abcdef program umbra\n", file);
   assert_int_equal(fclose(file), 0);
   assert_int_equal(um_study_identity_check(context, identity, folder), UM_ERR_IO);
-  assert_non_null(strstr(um_core_message(context), "the program has other bytes than when these"));
+  assert_non_null(strstr(um_core_message(context), "the program has other bytes than when this"));
   um_core_snapshot_each(context, count, &after);
   assert_int_equal(after, before); /* the list is no part of what it lists */
   um_study_records_remove(context, folder);
