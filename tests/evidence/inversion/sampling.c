@@ -226,10 +226,49 @@ static void test_shipped(void **state)
   }
 }
 
+/* States hardly an error; the first time that two runs are held against each other, they differ. */
+static enum um_status slips(struct um_context *ctx, void *user,
+                            const struct um_model_tables *tables,
+                            const struct um_model_result *result,
+                            const struct um_compare_twice *twice, double *share)
+{
+  size_t *asked = user;
+  (void)ctx;
+  (void)tables;
+  (void)result;
+  *share = 1e-3;
+  if (twice != NULL && (*asked)++ == 0) *share = 0.5;
+  return UM_OK;
+}
+
+/* Where four times the points see something else than was stated, they are taken, and held against
+ * four times as many again. */
+static void test_slips(void **state)
+{
+  (void)state;
+  put_shaded();
+  struct um_model *model = model_with(SCENARIO, 16, NULL, 0);
+  struct um_model_tables *tables;
+  struct um_model_result *result;
+  struct um_compare_refinement said;
+  size_t asked = 0;
+  assert_ok(um_model_precompute(context, model, &tables));
+  assert_ok(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE, slips, &asked,
+                              &result, &said));
+  assert_int_equal(said.samples_before, 16);
+  assert_int_equal(said.samples, 64);
+  assert_int_equal(tables->sampling.samples, 64);
+  assert_int_equal(asked, 2);
+  um_model_result_destroy(context, &result);
+  um_model_tables_destroy(context, &tables);
+  um_model_destroy(context, &model);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_any_samples), cmocka_unit_test(test_in_sigma),
-      cmocka_unit_test(test_through_effects), cmocka_unit_test(test_shipped)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_any_samples),
+                                     cmocka_unit_test(test_in_sigma),
+                                     cmocka_unit_test(test_through_effects),
+                                     cmocka_unit_test(test_slips), cmocka_unit_test(test_shipped)};
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
 }
