@@ -1,4 +1,11 @@
-/* See load_sums.h, load_sums_impl.h. */
+/* Rows of heat loads on nodes, kept of one network (load_sums.h) and taken for another with other
+ * optics on the same surfaces (load_sums_impl.h): at a row, node i absorbs
+ *
+ *   q_i = kept_i + sum_s w_si A_s (a_s - a_s,kept) E_s + sum_s w_si A_s a_s R_p(s),
+ *
+ * s over surfaces whose optics differ, then over all that others shine on; w_si the share of s that
+ * node i has, a absorptance or emittance, E what arrives from outside, R what patch p is sent by
+ * other surfaces. */
 #include <string.h>
 
 #include "base/core/sort.h"
