@@ -14,7 +14,8 @@ enum um_status um_sensitivity_moves_possible(struct um_context *context,
 /* What temperatures, and light by them alone, answer to the moves [n], at the scenario as it
  * stands, all in one run: into the forward's cache. Moves that heat does not feel, that are refused
  * or that um_model_thermal_sensitivity_is_applicable does not let pass are left to runs of their
- * own. Their targets live until _clear. tolerance: of um_model_thermal_sensitivity_create. */
+ * own. Heaters that come are found together, in a run of theirs. Targets live until _clear.
+ * tolerance: of um_model_thermal_sensitivity_create. */
 enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          struct um_sensitivity_forward *forward,
                                          const struct um_sensitivity_move *move, size_t n,

@@ -8,11 +8,10 @@
  *   h = 300 K + E(T) / C,   dh/dt = H(T(h)) / C,   d(dh_i/dt)/dh_j = d(H_i / C_i)/dT_j  dT_j/dh_j.
  *
  * Multistep methods keep linear balances, so that the sum of C h, the heat stored, closes the audit
- * as it does where capacities are constant; there h is T, and nothing here is done. From 300 K, so
- * that another law has nearly the same h at the same T: a sensitivity to a law is held to the
- * answer of h, of which that of T is what a shift of h leaves. r is linear
- * between the rows of its table, E a parabola there; below 0 K and beyond the table r is constant.
- */
+ * as it does where capacities are constant; there h is T, and nothing here is done. The reference
+ * is 300 K: laws of capacity then differ little in h at one T, and so does the derivative by a law,
+ * whose error is held to its size. r is linear between the rows of its table, E a parabola there;
+ * below 0 K and beyond the table r is constant. */
 #include <math.h>
 
 #include "base/core/constants.h"
