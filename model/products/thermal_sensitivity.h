@@ -37,7 +37,7 @@ struct um_model_thermal_move {
 struct um_model_thermal_sensitivity;
 
 /* Of moves [nmove] that the function above lets pass: their periodic start, then the way through
- * the observations. tolerance: error of a step over the largest answer [1]; 0: 5e-5, whose accuracy
+ * the observations. tolerance: error of a step over the largest answer [1]; 0: 2e-4, whose accuracy
  * is 1e-3 of a parameter's largest answer in every node of hidden-effect
  * (tests/model/products/thermal_sensitivity.c); of a body with foil in means of places, its single
  * facets are up to 8e-3 off (decision 0017). UM_ERR_INPUT where a move does not serve;

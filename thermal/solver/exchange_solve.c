@@ -12,6 +12,7 @@
 #define LOT      UM_THERMAL_LOT
 #define DEPTH    30 /* vectors kept between restarts */
 #define RESTARTS 10
+#define ROUNDING 1e-12 /* of a right side: no residual falls below it */
 
 /* One right-hand side. */
 struct column {
@@ -251,8 +252,9 @@ static bool look_again(struct um_thermal_exchange_solver *s, const struct equati
   return true;
 }
 
-static enum um_status solve_lot(struct um_thermal_exchange_solver *s, const struct equations *of,
-                                size_t count, double *x)
+/* Columns with the guess [count][n] (NULL: 0) for a solution, and what residual that leaves. */
+static void begin(struct um_thermal_exchange_solver *s, const struct equations *of,
+                  const double *guess, size_t count, double *x)
 {
   size_t n = s->system->nunknown;
   for (size_t k = 0; k < count; k++) {
@@ -263,6 +265,22 @@ static enum um_status solve_lot(struct um_thermal_exchange_solver *s, const stru
     memset(c->x, 0, n * sizeof *x);
     c->size = c->left = sqrt(product(c->b, c->b, n));
   }
+  if (guess == NULL) return;
+  memcpy(s->work, guess, count * n * sizeof *guess);
+  multiply(s, of, count);
+  for (size_t k = 0; k < count; k++) {
+    struct column *c = &s->column[k];
+    memcpy(c->x, guess + k * n, n * sizeof *x);
+    for (size_t i = 0; i < n; i++) c->v[i] = c->b[i] - s->product[k * n + i];
+    c->left = sqrt(product(c->v, c->v, n));
+    c->size = fmax(c->left, ROUNDING / of->tolerance * c->size);
+  }
+}
+
+static enum um_status solve_lot(struct um_thermal_exchange_solver *s, const struct equations *of,
+                                const double *guess, size_t count, double *x)
+{
+  begin(s, of, guess, count, x);
   for (int round = 0; round < RESTARTS; round++) {
     UM_TRY(round_run(s, of, count));
     if (!look_again(s, of, count)) return UM_OK;
@@ -283,12 +301,14 @@ static enum um_status solve_lot(struct um_thermal_exchange_solver *s, const stru
 
 enum um_status um_thermal_exchange_solve(struct um_thermal_exchange_solver *solver,
                                          const struct um_thermal_inner *inner, const double *value,
-                                         double scale, double tolerance, size_t count, double *x)
+                                         double scale, double tolerance, const double *guess,
+                                         size_t count, double *x)
 {
   const struct equations of = {inner, value, scale, tolerance};
   for (size_t first = 0; first < count; first += solver->lot) {
     size_t left = count - first, own = left < solver->lot ? left : solver->lot;
-    UM_TRY(solve_lot(solver, &of, own, x + first * solver->system->nunknown));
+    size_t at = first * solver->system->nunknown;
+    UM_TRY(solve_lot(solver, &of, guess != NULL ? guess + at : NULL, own, x + at));
   }
   return UM_OK;
 }

@@ -22,10 +22,12 @@ enum um_status um_thermal_exchange_solver_create(struct um_thermal_system *syste
 void um_thermal_exchange_solver_destroy(struct um_thermal_exchange_solver **solver);
 /* x[count][nunknown]: b in, the solutions out, each by a flexible GMRES of its own (Saad 1993, SIAM
  * J. Sci. Comput. 14:461) preconditioned with A. value [nnonzero]: of A. Each residual falls below
- * tolerance times that of x = 0; UM_ERR_NUMERIC when it does not within 300 products. */
+ * tolerance times that of the guess [count][nunknown] (NULL: x = 0), or 1e-12 times b;
+ * UM_ERR_NUMERIC when it does not within 300 products. */
 enum um_status um_thermal_exchange_solve(struct um_thermal_exchange_solver *solver,
                                          const struct um_thermal_inner *inner, const double *value,
-                                         double scale, double tolerance, size_t count, double *x);
+                                         double scale, double tolerance, const double *guess,
+                                         size_t count, double *x);
 
 /* The same around a SUNLinearSolver of A, which it takes over and frees; *scale is read at every
  * solution. NULL: out of memory. system->exchange is there. */

@@ -58,7 +58,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector 
   (void)unused;
   if (to != from) memcpy(to, from, c->system->nunknown * sizeof *to);
   enum um_status status = um_thermal_exchange_solve(c->solver, &inner, SUNSparseMatrix_Data(matrix),
-                                                    *c->scale, *c->tolerance, 1, to);
+                                                    *c->scale, *c->tolerance, NULL, 1, to);
   return status == UM_OK ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
 }
 

@@ -104,7 +104,7 @@ static enum um_status factored_solve(struct periodic *periodic, double *x)
   const struct um_thermal_inner inner = {inner_solve, periodic};
   if (periodic->exchange == NULL) return inner_solve(periodic, 1, x);
   return um_thermal_exchange_solve(periodic->exchange, &inner, periodic->matrix, periodic->period,
-                                   EXCHANGE, 1, x);
+                                   EXCHANGE, NULL, 1, x);
 }
 
 /* x = (X + shift)^-1 x, factored. */

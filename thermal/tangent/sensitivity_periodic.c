@@ -34,7 +34,7 @@ static enum um_status shift_factor(struct periodic *p, double shift)
 }
 static enum um_status factored_solve(struct periodic *p)
 {
-  return um_thermal_sensitivity_solve(&p->run, p->period, LINEAR_SHARE, p->part);
+  return um_thermal_sensitivity_solve(&p->run, p->period, LINEAR_SHARE, NULL, p->part);
 }
 
 /* taken = r + (X + tiny)^-1 r + sum_k a_k (b (X + b)^-1)^k r. */

@@ -5,10 +5,11 @@
  *   (1 - g h J_i) S_i = S + h sum_{j<i} a_ij F_j + g h b_i,   F_j = J_j S_j + b_j,
  *
  * J_i and b_i at the stage's own instant: what forgets within a step is where it belongs at its
- * end. The difference to the embedded method of order 2, damped by one more solution, is the error
- * of a step. Its root mean square over the nodes is held to `tolerance` of that of the column's
- * answer, the largest so far: a facet of foil that the Sun grazes follows kinks of its load that no
- * mean over a part feels, and to follow them takes ten times the steps.
+ * end. The difference to the embedded method of order 2, damped by A^-1, is the error of a step.
+ * Its root mean square over the nodes is held to `tolerance` of that of the column's answer, the
+ * largest so far: a facet of foil that the Sun grazes follows kinks of its load that no mean over a
+ * part feels, and to follow them takes ten times the steps. Steps end at rows of the loads.
+ * Iterated solutions begin with the rate of the stage before (decision 0017).
  *
  * b_k = (f_k - f) / h_k, f_k the balance of variant k at the base's unknowns; the temperatures that
  * follow from these (arithmetic nodes) are the variant's own. b_k of a pulse: sensitivity_pulse.c.
@@ -16,19 +17,21 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/core/interpolation.h"
 #include "thermal/tangent/sensitivity_impl.h"
 
-#define STAGES       4
-#define POLE         (1767732205903.0 / 4055673282236.0)
-#define SAFETY       0.8
-#define FASTEST      2.5   /* growth of a step */
-#define SLOWEST      0.2   /* and its shrinking */
-#define LINEAR_SHARE 1e-2  /* of the tolerance: what iterated solutions leave of a right side .. */
-#define LINEAR_LEAST 1e-6  /* .. and not less [1] */
-#define ERROR_SHARE  1e-2  /* the same of the error of a step */
-#define SHORTEST     1e-7  /* [s] */
-#define ROUNDING     3e-10 /* [K] over a parameter's step: answers below are not looked at */
-#define LONGEST      32.0  /* steps of the base that one may pass */
+#define STAGES  4
+#define POLE    (1767732205903.0 / 4055673282236.0)
+#define SAFETY  0.8
+#define FASTEST 2.5 /* growth of a step */
+#define SLOWEST 0.2 /* and its shrinking */
+#define LINEAR_SHARE                                                                               \
+  1e-2                    /* of what the rate of the stage before leaves: the part of iterated     \
+                             solutions that is not found [1] */
+#define ERROR_SHARE 1e-2  /* the same of the error of a step */
+#define SHORTEST    1e-7  /* [s] */
+#define ROUNDING    3e-10 /* [K] over a parameter's step: answers below are not looked at */
+#define LONGEST     32.0  /* steps of the base that one may pass */
 
 static const double weight[STAGES][STAGES] = {
     {0.0, 0.0, 0.0, 0.0},
@@ -100,17 +103,18 @@ static enum um_status inner_solve(void *self, size_t count, double *x)
 }
 
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
-                                            double share, double *x)
+                                            double share, const double *guess, double *x)
 {
   if (r->exchange == NULL) return um_thermal_linear_solve(r->linear, r->nactive, share, x);
   const struct um_thermal_inner inner = {inner_solve, r};
   r->share = share;
-  return um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, r->nactive, x);
+  return um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, guess, r->nactive,
+                                   x);
 }
 
-static enum um_status solve(struct um_thermal_sensitivity_run *r, double share, double *x)
+static enum um_status solve(struct um_thermal_sensitivity_run *r, const double *guess, double *x)
 {
-  enum um_status status = um_thermal_sensitivity_solve(r, POLE * r->h, share, x);
+  enum um_status status = um_thermal_sensitivity_solve(r, POLE * r->h, LINEAR_SHARE, guess, x);
   if (status != UM_ERR_NUMERIC || um_core_message(r->context)[0] != '\0') return status;
   return um_core_fail(r->context, UM_ERR_NUMERIC,
                       "heat sensitivities %.3f s after the start: no solution", r->t);
@@ -163,7 +167,8 @@ static enum um_status stage_make(struct um_thermal_sensitivity_run *r, int i)
   UM_TRY(factor(r));
   for (size_t c = 0; c < r->nactive; c++) {
     size_t at = c * r->n;
-    double *known = r->known + at, *next = r->next + at;
+    double *known = r->known + at, *next = r->next + at, *guess = r->error + at;
+    const double *before = r->stage[i - 1] + at;
     memcpy(known, r->s + at, r->n * sizeof *known);
     for (int j = 0; j < i; j++) {
       double w = r->h * weight[i][j];
@@ -172,8 +177,9 @@ static enum um_status stage_make(struct um_thermal_sensitivity_run *r, int i)
     }
     UM_TRY(force(r, c, t));
     for (size_t k = 0; k < r->n; k++) next[k] = known[k] + gh * r->moved[k];
+    for (size_t k = 0; k < r->n; k++) guess[k] = known[k] + gh * before[k];
   }
-  UM_TRY(solve(r, fmax(LINEAR_LEAST, LINEAR_SHARE * r->tolerance), r->next));
+  UM_TRY(solve(r, r->error, r->next));
   for (size_t k = 0; k < r->nactive * r->n; k++) r->stage[i][k] = (r->next[k] - r->known[k]) / gh;
   return UM_OK;
 }
@@ -195,7 +201,7 @@ static enum um_status error_find(struct um_thermal_sensitivity_run *r, double *o
     double w = r->h * (weight[STAGES - 1][j] - embedded[j]);
     for (size_t k = 0; k < r->nactive * r->n; k++) r->error[k] += w * r->stage[j][k];
   }
-  UM_TRY(solve(r, ERROR_SHARE, r->error));
+  UM_TRY(um_thermal_linear_solve(r->linear, r->nactive, ERROR_SHARE, r->error));
   *out = 0.0;
   for (size_t c = 0; c < r->nactive; c++) {
     double size = fmax(r->largest[c], fmax(um_thermal_sensitivity_size(r, r->next, c),
@@ -234,10 +240,24 @@ static void take(struct um_thermal_sensitivity_run *r)
   r->steps++;
 }
 
+/* Loads bend at the rows of their table, and answers with them: a step that a row is within ends at
+ * the last such row, and what is left up to the next is not made a sliver. */
+static double step_to_row(const struct um_thermal_sensitivity_run *r, double h)
+{
+  const struct um_thermal_system *system = r->system;
+  size_t n = system->loads != NULL ? system->loads->ntime : 0;
+  if (n < 2) return h;
+  size_t k = um_core_interval_find(system->grid, n, r->t + h);
+  if (system->grid[k + 1] <= r->t + h) k++; /* the last row is no interval's begin */
+  double left = system->grid[k] - r->t;
+  if (left > UM_THERMAL_ONE_TIME && left <= h) return left;
+  left = k + 1 < n ? system->grid[k + 1] - r->t : 0.0;
+  return left > h && left < 2.0 * h ? 0.5 * left : h;
+}
+
 /* The step within `end`, the stretch, and what the base has found smooth. */
 static enum um_status step_fit(struct um_thermal_sensitivity_run *r, double end)
 {
-  r->h = fmin(r->h, LONGEST * um_thermal_base_step(&r->base));
   UM_TRY(um_thermal_base_reach(&r->base, r->t + r->h));
   if (r->base.ended) end = fmin(end, r->base.t[r->base.npoint - 1]);
   double left = end - r->t;
@@ -255,6 +275,7 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
   bool refused = false;
   for (;;) {
     UM_TRY(um_core_stop_check(r->context, "heat sensitivities were computed"));
+    r->h = step_to_row(r, fmin(r->h, LONGEST * um_thermal_base_step(&r->base)));
     double wanted = r->h, error;
     UM_TRY(step_fit(r, end));
     for (int i = 1; i < STAGES; i++) UM_TRY(stage_make(r, i));
