@@ -1,11 +1,10 @@
 /* More samples where the model's own error is too large beside that of the measurement.
  *
- * With s the share of the model in the variance, v/(sigma^2 + v), and v ~ 1/n (the stated error is
- * that of independent points; evenly spread ones do better), the share falls to the limit at
- *   n' = n (s / (1 - s)) / (limit / (1 - limit)),
- * taken to the next power of two. A mean of shares near 1 hides how far off it is: the step is at
- * least two and at most 64. What is stated is then held against a run with four times the samples.
- */
+ * The share of the model in the variance is the mean of v/(sigma^2 + v) over the observations of a
+ * channel. With v ~ 1/n (the stated error is that of independent points; evenly spread ones do
+ * better) of f n samples it is that of v/f: f is sought at which that is the limit, of each
+ * observation's own v, since a mean of shares near 1 does not say how far off it is. What is stated
+ * is then held against a run with four times the samples. */
 #include "evidence/inversion/refine.h"
 
 #include <math.h>
@@ -16,7 +15,10 @@
 #include "model/run/run.h"
 #include "model/run/thermal_solution.h"
 
-#define STEP_MAX 64.0
+#define STEP_MAX 64.0 /* times the samples, at once */
+#define MARGIN   1.1  /* of the factor: an error that is estimated has one of its own */
+#define TOGETHER 8    /* numbers of samples are multiples */
+#define HALVINGS 12   /* of the logarithm of the factor */
 #define CHECK    4    /* times the samples */
 #define FINE     1024 /* samples that need no check: what slips between them is 1e-3 of a facet */
 
@@ -61,7 +63,8 @@ static enum um_status linear_values(struct um_context *context,
 enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
                                         const struct um_model_tables *tables,
                                         const struct um_model_result *result,
-                                        const struct um_compare_twice *twice, double *share)
+                                        const struct um_compare_twice *twice, double variance,
+                                        double *share)
 {
   const struct um_compare_share_user *u = user;
   const struct um_compare_measurements *m = u->plan->measurements;
@@ -77,21 +80,11 @@ enum um_status um_compare_share_of_plan(struct um_context *context, void *user,
     UM_CHECK(linear_values(context, u, tables, twice->finer, model_sigma, NULL));
     for (size_t i = 0; i < m->count; i++) model_sigma[i] = fabs(model_sigma[i] - value[i]);
   }
+  for (size_t i = 0; i < m->count; i++) model_sigma[i] *= sqrt(variance);
   UM_CHECK(um_compare_share(context, m, sigma, model_sigma, share));
 done:
   um_core_free(context, value);
   return status;
-}
-
-/* The next number of samples, a power of two above n; n itself where the bound is reached. */
-static int next_number(int n, double share, double limit, double most)
-{
-  double rest = fmax(1.0 - share, 1e-6);
-  double factor = share / rest / (limit / (1.0 - limit));
-  double wanted = n * fmin(STEP_MAX, fmax(2.0, factor)), power = 1.0;
-  while (power < wanted) power *= 2.0;
-  while (power > most) power *= 0.5;
-  return power > n ? (int)power : n;
 }
 
 static void report(struct um_context *context, const struct um_compare_refinement *r, double limit)
@@ -133,6 +126,31 @@ static enum um_status look_again(struct um_context *context, const struct job *j
   return UM_OK;
 }
 
+/* Least factor of the samples with which the share of a result falls to `wanted`; of it `stays` is
+ * not theirs. */
+static enum um_status factor_find(struct um_context *context, const struct job *job,
+                                  const struct um_model_result *result, double wanted, double stays,
+                                  double *factor)
+{
+  double low = 0.0, high = log(STEP_MAX);
+  for (int k = 0; k < HALVINGS; k++) {
+    double middle = 0.5 * (low + high), share;
+    UM_TRY(job->share_of(context, job->user, job->tables, result, NULL, exp(-middle), &share));
+    share += stays * (1.0 - exp(-middle));
+    *(share > wanted ? &low : &high) = middle;
+  }
+  *factor = exp(high);
+  return UM_OK;
+}
+
+/* The next number of samples above n; n itself where the bound is reached. */
+static int next_number(int n, double factor, double most)
+{
+  double wanted = TOGETHER * ceil(MARGIN * factor * n / TOGETHER);
+  wanted = fmin(fmax(wanted, n + TOGETHER), most);
+  return wanted > n ? (int)wanted : n;
+}
+
 static bool has_light_between(const struct job *job, const struct um_compare_refinement *r)
 {
   return job->model->environment.inter_reflection_on && r->interreflection > 0;
@@ -148,36 +166,47 @@ static enum um_status run_direct(struct um_context *context, const struct job *j
   return um_model_run_with(context, &without, job->tables, job->heat, out);
 }
 
+/* The share of what is seen directly, and the factor that it wants of the points. */
 static enum um_status direct_share(struct um_context *context, const struct job *job,
-                                   const struct um_compare_refinement *r, double *share)
+                                   const struct um_compare_refinement *r,
+                                   const struct um_model_result *result, double *share,
+                                   double *factor)
 {
   struct um_model_result *bare = NULL;
-  enum um_status status;
+  enum um_status status = UM_OK;
   *share = r->share;
-  if (!has_light_between(job, r)) return UM_OK;
-  UM_CHECK(run_direct(context, job, &bare));
-  UM_CHECK(job->share_of(context, job->user, job->tables, bare, NULL, share));
-  *share = fmin(*share, r->share);
+  if (has_light_between(job, r)) {
+    UM_CHECK(run_direct(context, job, &bare));
+    UM_CHECK(job->share_of(context, job->user, job->tables, bare, NULL, 1.0, share));
+    *share = fmin(*share, r->share);
+  }
+  *factor = 1.0;
+  if (*share > 0.5 * job->limit)
+    UM_CHECK(factor_find(context, job, bare != NULL ? bare : result,
+                         bare != NULL ? 0.5 * job->limit : job->limit, 0.0, factor));
 done:
   um_model_result_destroy(context, &bare);
   return status;
 }
 
-/* Raise until the stated share is small: points where they make it, paths where those do. */
+/* Raise until the stated share is small: points where they make it, paths where those do. Where
+ * both do, each is left half. */
 static enum um_status raise(struct um_context *context, const struct job *job,
                             struct um_compare_refinement *r, struct um_model_result **result)
 {
   while (r->share > job->limit) {
     int samples = r->samples, rays = r->interreflection;
-    double direct;
-    UM_TRY(direct_share(context, job, r, &direct));
-    if (direct > 0.5 * job->limit)
-      samples = next_number(samples, fmax(direct, job->limit), job->limit, job->most);
-    if (r->share - direct > 0.5 * job->limit)
-      rays = next_number(rays, fmax(r->share - direct, job->limit), job->limit, job->most_paths);
+    double direct, factor;
+    UM_TRY(direct_share(context, job, r, *result, &direct, &factor));
+    if (direct > 0.5 * job->limit) samples = next_number(samples, factor, job->most);
+    if (r->share - direct > 0.5 * job->limit) {
+      UM_TRY(
+          factor_find(context, job, *result, job->limit, fmin(direct, 0.5 * job->limit), &factor));
+      rays = next_number(rays, factor, job->most_paths);
+    }
     if (samples == r->samples && rays == r->interreflection) return UM_OK;
     UM_TRY(look_again(context, job, samples, rays, result));
-    UM_TRY(job->share_of(context, job->user, job->tables, *result, NULL, &r->share));
+    UM_TRY(job->share_of(context, job->user, job->tables, *result, NULL, 1.0, &r->share));
     r->samples = samples;
     r->interreflection = rays;
   }
@@ -205,7 +234,7 @@ static enum um_status check(struct um_context *context, const struct job *job,
                                     (struct um_model_sampling){samples, r->interreflection}));
   UM_CHECK(run_direct(context, job, &finer));
   UM_CHECK(job->share_of(context, job->user, job->tables, *result,
-                         &(struct um_compare_twice){coarse, finer}, &moved));
+                         &(struct um_compare_twice){coarse, finer}, 1.0, &moved));
   *holds = !(moved > job->limit);
   if (*holds) {
     status = um_model_tables_resample(context, job->model, job->tables, before);
@@ -214,7 +243,7 @@ static enum um_status check(struct um_context *context, const struct job *job,
   UM_CHECK(look_again(context, job, samples, r->interreflection, result));
   r->share_before = fmax(r->share_before, moved);
   r->samples = samples;
-  UM_CHECK(job->share_of(context, job->user, job->tables, *result, NULL, &r->share));
+  UM_CHECK(job->share_of(context, job->user, job->tables, *result, NULL, 1.0, &r->share));
 done:
   um_model_result_destroy(context, &coarse);
   um_model_result_destroy(context, &finer);
@@ -245,7 +274,7 @@ enum um_status um_compare_refine_with(struct um_context *context, const struct u
   r.samples = r.samples_before = optics->samples;
   r.interreflection = r.interreflection_before = optics->interreflection_samples;
   UM_CHECK(um_model_run_with(context, model, tables, heat, &result));
-  UM_CHECK(share_of(context, user, tables, result, NULL, &r.share));
+  UM_CHECK(share_of(context, user, tables, result, NULL, 1.0, &r.share));
   r.share_before = r.share;
   if (tables->view != NULL) {
     double points = (double)(tables->nobs * tables->nsub) * (double)tables->view->nsurface;

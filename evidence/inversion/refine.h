@@ -34,11 +34,12 @@ struct um_compare_twice {
 };
 /* Share of the model in the worst channel of what is looked at, from a run: by its standard error
  * or, with `twice` (NULL: not asked), by how far the values of the two are apart; sigma is the
- * run's. */
+ * run's. variance: times that of the model [1], as of 1/variance times the samples. */
 typedef enum um_status um_compare_share_of(struct um_context *context, void *user,
                                            const struct um_model_tables *tables,
                                            const struct um_model_result *result,
-                                           const struct um_compare_twice *twice, double *share);
+                                           const struct um_compare_twice *twice, double variance,
+                                           double *share);
 
 /* Run the model on geometry tables; while the share that `share_of` finds is above
  * `limit`, look again with more samples and run again with the same heat, up to the bounds above. A

@@ -190,7 +190,8 @@ enum um_status um_compare_synth_check(struct um_context *context, const struct u
 enum um_status um_compare_synth_share(struct um_context *context, void *user,
                                       const struct um_model_tables *tables,
                                       const struct um_model_result *result,
-                                      const struct um_compare_twice *twice, double *share)
+                                      const struct um_compare_twice *twice, double variance,
+                                      double *share)
 {
   const struct um_compare_synth *o = user;
   (void)context;
@@ -205,7 +206,7 @@ enum um_status um_compare_synth_share(struct um_context *context, void *user,
                        ? result->irradiance_error[at]
                        : fabs(twice->finer->irradiance[at] - twice->coarse->irradiance[at]);
       if (!(sigma > 0.0)) continue; /* below the horizon, or refused later */
-      sum += um_compare_residual_share(sigma, own);
+      sum += um_compare_residual_share(sigma, sqrt(variance) * own);
       count++;
     }
     if (count > 0) *share = fmax(*share, sum / (double)count);

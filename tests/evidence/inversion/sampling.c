@@ -230,15 +230,54 @@ static void test_shipped(void **state)
 static enum um_status slips(struct um_context *ctx, void *user,
                             const struct um_model_tables *tables,
                             const struct um_model_result *result,
-                            const struct um_compare_twice *twice, double *share)
+                            const struct um_compare_twice *twice, double variance, double *share)
 {
   size_t *asked = user;
   (void)ctx;
   (void)tables;
   (void)result;
+  (void)variance;
   *share = 1e-3;
   if (twice != NULL && (*asked)++ == 0) *share = 0.5;
   return UM_OK;
+}
+
+/* One observation of ten has ten times the variance of its measurement with 16 points, the others
+ * none: with n points the mean share is (160/n)/(1 + 160/n)/10, which is 0.02 of 640. */
+static enum um_status one_of_ten(struct um_context *ctx, void *user,
+                                 const struct um_model_tables *tables,
+                                 const struct um_model_result *result,
+                                 const struct um_compare_twice *twice, double variance,
+                                 double *share)
+{
+  size_t *looks = user;
+  double v = variance * 160.0 / tables->sampling.samples;
+  (void)ctx;
+  (void)result;
+  *share = twice != NULL ? 0.0 : 0.1 * v / (1.0 + v);
+  if (twice == NULL && variance == 1.0) ++*looks;
+  return UM_OK;
+}
+
+/* The number that is needed is taken at once: a tenth more than 640. */
+static void test_at_once(void **state)
+{
+  (void)state;
+  const char *const without[] = {"optics.interreflection_samples=0"};
+  put_shaded();
+  struct um_model *model = model_with(SCENARIO, 16, without, 1);
+  struct um_model_tables *tables;
+  struct um_model_result *result;
+  struct um_compare_refinement said;
+  size_t looks = 0;
+  assert_ok(um_model_precompute(context, model, &tables));
+  assert_ok(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE, one_of_ten, &looks,
+                              &result, &said));
+  assert_in_range(said.samples, 704, 712);
+  assert_true(said.share < UM_COMPARE_MODEL_SHARE && said.share > 0.8 * UM_COMPARE_MODEL_SHARE);
+  um_model_result_destroy(context, &result);
+  um_model_tables_destroy(context, &tables);
+  um_model_destroy(context, &model);
 }
 
 /* Where four times the points see something else than was stated, they are taken, and held against
@@ -266,9 +305,9 @@ static void test_slips(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_any_samples),
-                                     cmocka_unit_test(test_in_sigma),
-                                     cmocka_unit_test(test_through_effects),
-                                     cmocka_unit_test(test_slips), cmocka_unit_test(test_shipped)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_any_samples), cmocka_unit_test(test_at_once),
+      cmocka_unit_test(test_in_sigma),    cmocka_unit_test(test_through_effects),
+      cmocka_unit_test(test_slips),       cmocka_unit_test(test_shipped)};
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
 }
