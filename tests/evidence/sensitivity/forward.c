@@ -245,6 +245,27 @@ static void test_heaters(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* What shares a run does not depend on the memory that a worker has: steps of a run, and with them
+ * bits, hang on who is in it. */
+static void test_shared_run(void **state)
+{
+  (void)state;
+  static const char *const level[] = {"albedo_level", "earth_ir_level"};
+  struct um_sensitivity_move move[2];
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
+  for (int k = 0; k < 2; k++)
+    move[k] = (struct um_sensitivity_move){
+        .effect = um_effects_find(level[k]), .at = {1.0}, .step = 0.05};
+  um_variant_evaluator_bound(f->evaluator, 1);
+  assert_ok(um_sensitivity_moves_find(context, f, move, 2, 1e-3));
+  assert_int_equal(f->heat_sensitivities, 2);
+  assert_int_equal(f->heat_batches, 1);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* A change in two parts: held, temperatures are the scenario's; of heat alone, those of the whole.
  */
 static void test_parts(void **state)
@@ -508,6 +529,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_periodic, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_heaters, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_shared_run, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_parts, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_few_paths, model_set_up, model_tear_down),
       cmocka_unit_test(test_correction),
