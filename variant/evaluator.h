@@ -75,8 +75,6 @@ void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator);
 /* Another bound in bytes for what is kept from now on; the one before. */
 size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t bytes);
-/* Do geometries of open variants take more than may be kept? Who holds several open closes them. */
-bool um_variant_evaluator_is_full(const struct um_variant_evaluator *evaluator);
 
 /* The scenario as it stands: its geometry is traced and its heat solved when they are first asked
  * for, and stay. Errors of um_model_precompute_over and of the thermal solvers. */
