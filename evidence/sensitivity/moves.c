@@ -14,7 +14,7 @@
 #define SMALL 1e-3                /* of a step */
 #define FAINT 1e-9                /* of a step: a heater of so little power warms nothing */
 #define BYTES ((size_t)128 << 20) /* that answers of one run may take */
-#define LOADS ((size_t)600 << 20) /* and geometries that are open for it */
+#define LOADS ((size_t)450 << 20) /* and geometries that are open for it */
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
 {
