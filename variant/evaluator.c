@@ -61,6 +61,14 @@ struct um_model_tables *um_variant_base_tables(struct um_context *context,
   return evaluator->tables;
 }
 
+size_t um_variant_evaluator_open_bytes(const struct um_variant_evaluator *evaluator)
+{
+  size_t bytes = 0;
+  for (const struct um_variant_kept *k = evaluator->cache.first; k != NULL; k = k->next)
+    bytes += k->users > 0 ? k->bytes : 0;
+  return bytes;
+}
+
 enum um_status um_variant_base(struct um_context *context, struct um_variant_evaluator *evaluator,
                                struct um_variant *out)
 {

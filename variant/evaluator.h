@@ -75,6 +75,8 @@ void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator);
 /* Another bound in bytes for what is kept from now on; the one before. */
 size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t bytes);
+/* Bytes of geometries of their own that open variants hold. */
+size_t um_variant_evaluator_open_bytes(const struct um_variant_evaluator *evaluator);
 
 /* The scenario as it stands: its geometry is traced and its heat solved when they are first asked
  * for, and stay. Errors of um_model_precompute_over and of the thermal solvers. */

@@ -14,7 +14,9 @@
 #define SMALL 1e-3                /* of a step */
 #define FAINT 1e-9                /* of a step: a heater of so little power warms nothing */
 #define BYTES ((size_t)128 << 20) /* that answers of one run may take */
-#define LOADS ((size_t)450 << 20) /* and geometries that are open for it */
+#define OPEN                                                                                       \
+  ((size_t)512 << 20) /* and geometries that are open for it, whatever the workers: who            \
+                         shares a run has the same steps */
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
 {
@@ -58,9 +60,9 @@ static enum um_status is_wanted(struct um_context *context,
 
 /* Moves of one run. */
 struct batch {
-  struct um_model_thermal_move *move;        /* [most] */
-  struct um_variant *variant;                /* [most] of each, open until the run */
-  size_t count, most, nloads, most_loads;    /* the latter of those with loads of their own */
+  struct um_model_thermal_move *move; /* [most] */
+  struct um_variant *variant;         /* [most] of each, open until the run */
+  size_t count, most;
   struct um_variant base;                    /* of its moves, in place of the scenario */
   const struct um_sensitivity_move **heater; /* [nheater] moves that are left for a run with one */
   size_t nheater;
@@ -70,7 +72,7 @@ struct batch {
 static void batch_clear(struct um_context *context, struct batch *batch)
 {
   for (size_t k = 0; k < batch->count; k++) um_variant_close(context, &batch->variant[k]);
-  batch->count = batch->nloads = 0;
+  batch->count = 0;
 }
 
 /* As many moves as keep their answers within BYTES. */
@@ -78,15 +80,6 @@ static size_t moves_most(const struct um_sensitivity_forward *f)
 {
   size_t most = BYTES / (um_thermal_network_nodes(f->model->body->network) *
                          (1 + f->base.tables->nobs * f->base.tables->nsub) * sizeof(float));
-  return most < 1 ? 1 : most;
-}
-
-/* As many as keep their geometries within LOADS, whatever the workers: what shares a run has the
- * same steps. */
-static size_t loads_most(const struct um_sensitivity_forward *f)
-{
-  size_t bytes = um_model_tables_bytes(f->base.tables), most = LOADS / (bytes > 0 ? bytes : 1);
-  most = most < moves_most(f) ? most : moves_most(f);
   return most < 1 ? 1 : most;
 }
 
@@ -188,8 +181,8 @@ static enum um_status take(struct um_context *context, struct um_sensitivity_for
   return left(context, status);
 }
 
-/* Moves [n] that move the loads, or those that do not. A run of those that do is of few, since
- * their loads take memory, which the others need not wait for. */
+/* Moves [n] that move the loads, or those that do not. A run of those that do ends where their
+ * loads fill the memory, which the others need not wait for. */
 static enum um_status take_all(struct um_context *context, struct um_sensitivity_forward *forward,
                                const struct um_sensitivity_move *move, size_t n, bool loads,
                                struct batch *batch)
@@ -199,10 +192,8 @@ static enum um_status take_all(struct um_context *context, struct um_sensitivity
     if (!um_sensitivity_moves_heat(move[i].effect)) continue;
     UM_TRY(left(context, moves_loads(context, forward, &move[i], &own)));
     if (own != loads) continue;
-    size_t before = batch->count;
     UM_TRY(take(context, forward, &move[i], loads, batch));
-    if (loads) batch->nloads += batch->count - before;
-    if (batch->count == batch->most || batch->nloads == batch->most_loads)
+    if (batch->count == batch->most || um_variant_evaluator_open_bytes(forward->evaluator) > OPEN)
       UM_TRY(batch_end(context, forward, batch));
   }
   return UM_OK;
@@ -252,8 +243,7 @@ enum um_status um_sensitivity_moves_find(struct um_context *context,
                                          double tolerance)
 {
   enum um_status status;
-  struct batch batch = {
-      .most = moves_most(forward), .most_loads = loads_most(forward), .tolerance = tolerance};
+  struct batch batch = {.most = moves_most(forward), .tolerance = tolerance};
   struct um_sensitivity_moves *moves = NULL;
   double begin = omp_get_wtime();
   um_core_quiet_begin(context);

@@ -184,12 +184,15 @@ static void the_bound_holds(void **state)
     um_variant_close(context, &v);
   }
   struct um_model_changes changes = key(&c, "environment.albedo", 0.33);
+  assert_int_equal(um_variant_evaluator_open_bytes(own), 0); /* what is kept is not open */
   need(um_variant_open(context, own, &changes, NULL, &open));
+  assert_true(um_variant_evaluator_open_bytes(own) > 0);
   changes = key(&c, "environment.albedo", 0.34);
   need(um_variant_open(context, own, &changes, NULL, &v));
   assert_int_equal(open.tables->nobs, 3);
   um_variant_close(context, &v);
   um_variant_close(context, &open);
+  assert_int_equal(um_variant_evaluator_open_bytes(own), 0);
   um_variant_evaluator_destroy(context, &own);
 }
 

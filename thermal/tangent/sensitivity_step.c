@@ -32,6 +32,7 @@
 #define SHORTEST    1e-7  /* [s] */
 #define ROUNDING    3e-10 /* [K] over a parameter's step: answers below are not looked at */
 #define LONGEST     32.0  /* steps of the base that one may pass */
+#define PASSED      1e-3  /* of a step: a row that is nearer is behind it */
 
 static const double weight[STAGES][STAGES] = {
     {0.0, 0.0, 0.0, 0.0},
@@ -250,7 +251,7 @@ static double step_to_row(const struct um_thermal_sensitivity_run *r, double h)
   size_t k = um_core_interval_find(system->grid, n, r->t + h);
   if (system->grid[k + 1] <= r->t + h) k++; /* the last row is no interval's begin */
   double left = system->grid[k] - r->t;
-  if (left > UM_THERMAL_ONE_TIME && left <= h) return left;
+  if (left > PASSED * h && left <= h) return left;
   left = k + 1 < n ? system->grid[k + 1] - r->t : 0.0;
   return left > h && left < 2.0 * h ? 0.5 * left : h;
 }
