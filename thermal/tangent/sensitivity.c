@@ -220,7 +220,7 @@ static enum um_status stretch_next(struct um_thermal_sensitivity_run *r)
 {
   const struct um_thermal_base *base = &r->base;
   /* still as before what happens: the base goes on below */
-  memcpy(r->rate, base->slope + (base->npoint - 1) * r->n, r->n * sizeof *r->rate);
+  memcpy(r->rate, base->last.slope, r->n * sizeof *r->rate);
   r->t = base->t[base->npoint - 1];
   UM_TRY(um_thermal_base_next(&r->base));
   for (size_t m = 0; m < r->system->nthermostat && r->system->kind == UM_SYSTEM_RUN; m++)

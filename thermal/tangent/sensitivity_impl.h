@@ -11,29 +11,15 @@
 
 /* --- sensitivity_base.c: the base's temperatures along one stretch between stops and switchings --
  */
-struct um_thermal_base_stretch {
-  size_t first, count; /* points of the store */
-  double stop;         /* [s] */
-  bool *heating;       /* [nthermostat] owned */
-};
 struct um_thermal_base {
   struct um_thermal_system *system; /* that is integrated; owned */
   struct um_thermal_integrator *integrator;
   struct um_thermal_advance last;
-  const double *t;         /* [npoint] ascending, of the present stretch [s] */
-  const double *y, *slope; /* [npoint][nunknown] */
-  size_t npoint;
+  double *t;         /* [npoint] ascending [s] */
+  double *y, *slope; /* [npoint][nunknown] */
+  size_t npoint, room;
   bool *heating; /* [nthermostat] in the stretch */
   bool ended;    /* the last point ends the stretch */
-  double stop;   /* that does, when it ends as it should [s] */
-  /* private */
-  double *store_t, *store_y,
-      *store_slope; /* [room]; those of the present stretch from `first` on */
-  size_t first, room;
-  bool kept;                               /* all points are, for a run that goes the same way */
-  bool again;                              /* and this is one */
-  struct um_thermal_base_stretch *stretch; /* [nstretch] that ended, kept */
-  size_t nstretch, now;                    /* now: the present one of a run that goes it again */
 };
 enum um_status um_thermal_base_create(struct um_context *context,
                                       const struct um_thermal_network *network,
@@ -43,10 +29,7 @@ enum um_status um_thermal_base_create(struct um_context *context,
                                       enum um_thermal_system_kind kind, double duration,
                                       struct um_thermal_base *out);
 void um_thermal_base_release(struct um_thermal_base *base);
-/* From now on all points are kept, as long as they take no more than 32 MB: who starts again from
- * the same temperatures after all stretches ended is not integrated again. */
-void um_thermal_base_keep(struct um_thermal_base *base);
-/* Begin again at the start temperatures [n]; with _keep they are the same each time. */
+/* Begin again at the start temperatures [n]. */
 enum um_status um_thermal_base_start(struct um_thermal_base *base, const double *temperature);
 /* Begin the stretch after the one that ended. */
 enum um_status um_thermal_base_next(struct um_thermal_base *base);
@@ -157,8 +140,8 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
 double um_thermal_sensitivity_size(const struct um_thermal_sensitivity_run *r, const double *x,
                                    size_t column);
 /* x[nactive][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last. Where E is,
- * `share` may be left of what guess [nactive][n] (NULL: 0) leaves of each right side.
- * UM_ERR_NUMERIC with or without a message. */
+ * `share` may be left of what guess [nactive][n] (NULL: 0) leaves of each right side. UM_ERR_NUMERIC
+ * with or without a message. */
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
                                             double share, const double *guess, double *x);
 

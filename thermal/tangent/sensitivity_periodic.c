@@ -169,7 +169,6 @@ enum um_status um_thermal_sensitivity_periodic(
   UM_TRY(um_thermal_sensitivity_check(&of, &forcings, how));
   UM_CHECK(um_thermal_sensitivity_run_create(&of, &forcings, UM_SYSTEM_PERIODIC, period, r));
   UM_CHECK(periodic_storage(&p));
-  um_thermal_base_keep(&r->base);
   for (size_t c = 0; c < nvariant && how != NULL && how->start != NULL; c++)
     for (size_t k = 0; k < r->n; k++)
       p.taken[c * r->n + k] = how->start[c * r->system->n + r->system->node[k]] /

@@ -150,7 +150,7 @@ enum um_status um_thermal_sensitivity_edge(struct um_thermal_sensitivity_run *r)
 
 enum um_status um_thermal_sensitivity_begin(struct um_thermal_sensitivity_run *r)
 {
-  double end = r->base.stop;
+  double end = um_thermal_integrator_stop(r->base.integrator);
   for (size_t c = 0; c <= r->nvariant; c++) {
     struct um_thermal_system *system = c < r->nvariant ? r->variant[c] : r->system;
     um_thermal_system_window(system, r->t, end);
