@@ -140,8 +140,8 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
 double um_thermal_sensitivity_size(const struct um_thermal_sensitivity_run *r, const double *x,
                                    size_t column);
 /* x[nactive][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last. Where E is,
- * `share` may be left of what guess [nactive][n] (NULL: 0) leaves of each right side. UM_ERR_NUMERIC
- * with or without a message. */
+ * `share` may be left of what guess [nactive][n] (NULL: 0) leaves of each right side.
+ * UM_ERR_NUMERIC with or without a message. */
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
                                             double share, const double *guess, double *x);
 
