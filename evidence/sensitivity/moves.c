@@ -14,9 +14,9 @@
 #define SMALL 1e-3                /* of a step */
 #define FAINT 1e-9                /* of a step: a heater of so little power warms nothing */
 #define BYTES ((size_t)128 << 20) /* that answers of one run may take */
-#define OPEN                                                                                       \
-  ((size_t)512 << 20) /* and geometries that are open for it, whatever the workers: who            \
-                         shares a run has the same steps */
+/* Bytes of geometries that are open for one run, whatever the workers: who shares it has its steps.
+ */
+#define OPEN ((size_t)512 << 20)
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
 {

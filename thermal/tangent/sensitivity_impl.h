@@ -139,7 +139,7 @@ enum um_status um_thermal_sensitivity_step(struct um_thermal_sensitivity_run *r,
 /* Root mean square over the unknowns of a column of x[ncolumn][n]. */
 double um_thermal_sensitivity_size(const struct um_thermal_sensitivity_run *r, const double *x,
                                    size_t column);
-/* x[nactive][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last. Where E is,
+/* x[nactive][n] <- (A - scale E)^-1 x, A = r->matrix as factored last, E as held last.
  * `share` may be left of what guess [nactive][n] (NULL: 0) leaves of each right side.
  * UM_ERR_NUMERIC with or without a message. */
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,

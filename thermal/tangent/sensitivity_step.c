@@ -20,19 +20,17 @@
 #include "base/core/interpolation.h"
 #include "thermal/tangent/sensitivity_impl.h"
 
-#define STAGES  4
-#define POLE    (1767732205903.0 / 4055673282236.0)
-#define SAFETY  0.8
-#define FASTEST 2.5 /* growth of a step */
-#define SLOWEST 0.2 /* and its shrinking */
-#define LINEAR_SHARE                                                                               \
-  1e-2                    /* of what the rate of the stage before leaves: the part of iterated     \
-                             solutions that is not found [1] */
-#define ERROR_SHARE 1e-2  /* the same of the error of a step */
-#define SHORTEST    1e-7  /* [s] */
-#define ROUNDING    3e-10 /* [K] over a parameter's step: answers below are not looked at */
-#define LONGEST     32.0  /* steps of the base that one may pass */
-#define PASSED      1e-3  /* of a step: a row that is nearer is behind it */
+#define STAGES       4
+#define POLE         (1767732205903.0 / 4055673282236.0)
+#define SAFETY       0.8
+#define FASTEST      2.5   /* growth of a step */
+#define SLOWEST      0.2   /* and its shrinking */
+#define LINEAR_SHARE 1e-2  /* of what the rate of the stage before leaves, not solved [1] */
+#define ERROR_SHARE  1e-2  /* of the error of a step, likewise */
+#define SHORTEST     1e-7  /* [s] */
+#define ROUNDING     3e-10 /* [K] over a parameter's step: answers below are not looked at */
+#define LONGEST      32.0  /* steps of the base that one may pass */
+#define PASSED       1e-3  /* of a step: a row that is nearer is behind it */
 
 static const double weight[STAGES][STAGES] = {
     {0.0, 0.0, 0.0, 0.0},
@@ -103,10 +101,30 @@ static enum um_status inner_solve(void *self, size_t count, double *x)
   return um_thermal_linear_solve(r->linear, count, r->share, x);
 }
 
+/* x <- x - A g, of the active columns. */
+static void subtract_product(const struct um_thermal_sensitivity_run *r, const double *g, double *x)
+{
+  const struct um_thermal_system *system = r->system;
+  for (size_t at = 0; at < r->nactive * r->n; at += r->n)
+    for (size_t k = 0; k < r->n; k++)
+      for (int64_t e = system->column[k]; e < system->column[k + 1]; e++)
+        x[at + (size_t)system->row[e]] -= r->matrix[e] * g[at + k];
+}
+
+/* Without E: the guess and what solves its residual, since A may be iterated with, too. */
+static enum um_status solve_alone(struct um_thermal_sensitivity_run *r, double share,
+                                  const double *guess, double *x)
+{
+  if (guess != NULL) subtract_product(r, guess, x);
+  UM_TRY(um_thermal_linear_solve(r->linear, r->nactive, share, x));
+  for (size_t k = 0; guess != NULL && k < r->nactive * r->n; k++) x[k] += guess[k];
+  return UM_OK;
+}
+
 enum um_status um_thermal_sensitivity_solve(struct um_thermal_sensitivity_run *r, double scale,
                                             double share, const double *guess, double *x)
 {
-  if (r->exchange == NULL) return um_thermal_linear_solve(r->linear, r->nactive, share, x);
+  if (r->exchange == NULL) return solve_alone(r, share, guess, x);
   const struct um_thermal_inner inner = {inner_solve, r};
   r->share = share;
   return um_thermal_exchange_solve(r->exchange, &inner, r->matrix, scale, share, guess, r->nactive,
