@@ -194,8 +194,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_app_run_views(context, &run, options, um_core_folder_path(folder)));
   um_core_log(context, UM_LOG_INFO, "geometry %.1f s, heat and light %.1f s, pictures %.1f s",
               traced - began, computed - traced, seconds() - computed);
-  UM_CHECK(um_output_write_run(context, &run, folder));
-  if (!options->no_plots) UM_CHECK(um_output_plot_run(context, um_core_folder_path(folder), &run));
+  UM_CHECK(um_output_write_run(context, &run, !options->no_plots, folder));
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
   UM_CHECK(summarise(context, &run, out, options->json));

@@ -3,13 +3,9 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "app/app.h"
-#include "base/core/constants.h"
-#include "base/core/order.h"
-
-#define LARGE_ERROR 0.05 /* Monte-Carlo error of a total whose instants are counted [1] */
+#include "output/band_summary.h"
 
 /* Radiant energy toward the observer per material over the run, one band [W s/sr]. */
 static void material_energy(const struct um_model_result *r, size_t band, double *out)
@@ -22,44 +18,10 @@ static void material_energy(const struct um_model_result *r, size_t band, double
                                (size_t)i];
 }
 
-struct band_summary {
-  double low, high; /* intensity [W/sr] */
-  size_t lit;       /* instants with light */
-  double error;     /* Monte-Carlo error of their totals: largest, */
-  double median;    /* .. median [1]; NaN without light */
-  size_t large;     /* .. instants at which it is above LARGE_ERROR */
-  size_t umbra;     /* instants in it, base/core/constants.h */
-  double umbra_sun; /* largest Sun term of those [W/sr] */
-  double umbra_low; /* their lowest total [W/sr] */
-};
-
-/* work: shape [nobs]. */
-static struct band_summary band_summary(const struct um_model_tables *tables,
-                                        const struct um_model_result *r, size_t band, double *work)
-{
-  struct band_summary s = {.low = INFINITY, .median = NAN, .umbra_low = INFINITY};
-  for (size_t k = 0; k < r->nobs; k++) {
-    double total = um_model_result_intensity(r, k, band, -1);
-    s.low = fmin(s.low, total);
-    s.high = fmax(s.high, total);
-    if (total > 0.0) work[s.lit++] = r->standard_error[k * r->nband + band] / total;
-    if (tables->sunlit[k] > UM_UMBRA_MOST) continue;
-    s.umbra++;
-    s.umbra_sun = fmax(s.umbra_sun, um_model_result_intensity(r, k, band, UM_MECHANISM_SUN));
-    s.umbra_low = fmin(s.umbra_low, total);
-  }
-  if (s.lit == 0) return s;
-  qsort(work, s.lit, sizeof *work, um_core_order_double);
-  s.error = work[s.lit - 1];
-  s.median = 0.5 * (work[(s.lit - 1) / 2] + work[s.lit / 2]);
-  for (size_t i = s.lit; i > 0 && work[i - 1] > LARGE_ERROR; i--) s.large++;
-  return s;
-}
-
 void um_app_run_print_band(const struct um_output_run *run, size_t band, double *work)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->tables, r, band, work);
+  struct um_output_band_summary s = um_output_band_summary(run->tables, r, band, work);
   double sum = 0.0;
   printf("%-5s %.4g to %.4g W/sr", run->model->band[band].name, s.low, s.high);
   if (s.umbra > 0)
@@ -68,7 +30,7 @@ void um_app_run_print_band(const struct um_output_run *run, size_t band, double 
         s.umbra, r->nobs, s.umbra_sun, s.umbra_low);
   if (s.lit > 0)
     printf("; Monte-Carlo error %.2g %% in the median, above %g %% at %zu of %zu instants",
-           100.0 * s.median, 100.0 * LARGE_ERROR, s.large, s.lit);
+           100.0 * s.median, 100.0 * UM_OUTPUT_LARGE_ERROR, s.large, s.lit);
   material_energy(r, band, work);
   for (size_t m = 0; m < r->nmaterial; m++) sum += work[m];
   printf("\n      shares of materials over the run:");
@@ -81,7 +43,7 @@ void um_app_run_print_band(const struct um_output_run *run, size_t band, double 
 void um_app_run_json_band(const struct um_output_run *run, size_t band, double *work)
 {
   const struct um_model_result *r = run->result;
-  struct band_summary s = band_summary(run->tables, r, band, work);
+  struct um_output_band_summary s = um_output_band_summary(run->tables, r, band, work);
   double sum = 0.0;
   um_core_json_text(stdout, "{", "name", run->model->band[band].name);
   um_core_json_field(stdout, ", ", "lowest_W_sr", s.low);

@@ -37,9 +37,7 @@ static enum um_status run_write(struct um_context *context, const struct umbra_r
                                       .options = &run->model->options,
                                       .log = run->log,
                                       .context = context};
-  UM_TRY(um_output_write_run(context, &files, folder));
-  if (write->pictures == 0) return UM_OK;
-  return um_output_plot_run(context, um_core_folder_path(folder), &files);
+  return um_output_write_run(context, &files, write->pictures != 0, folder);
 }
 
 static const struct um_model *run_model(const void *work)
@@ -103,13 +101,6 @@ static enum um_status show_heat(struct um_context *context, const struct um_mode
 /* --- arrays that are made ---------------------------------------------------------------------
  */
 
-double um_library_unix_time(double t_tai)
-{
-  double mjd, seconds;
-  um_orbit_time_utc_clock(t_tai, &mjd, &seconds);
-  return 86400.0 * (mjd - 40587.0) + seconds;
-}
-
 /* One number of every observation. */
 static enum um_status make_times(struct um_context *context, const struct um_model_tables *tables,
                                  bool observer, struct umbra_result *to)
@@ -120,7 +111,7 @@ static enum um_status make_times(struct um_context *context, const struct um_mod
   UM_TRY(um_library_result_make(context, to, a, "sunlit", "1", &sunlit));
   UM_TRY(um_library_result_make(context, to, a, "hidden", "1", &hidden));
   for (size_t k = 0; k < tables->nobs; k++) {
-    time[k] = um_library_unix_time(tables->t_obs[k]);
+    time[k] = um_orbit_time_unix(tables->t_obs[k]);
     sunlit[k] = tables->sunlit[k];
     hidden[k] = tables->hidden[k] ? 1.0 : 0.0;
   }

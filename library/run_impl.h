@@ -11,7 +11,4 @@ enum um_status um_library_run_arrays(struct um_context *context, const struct um
                                      const struct um_model_tables *tables,
                                      const struct um_model_result *run, struct umbra_result *to);
 
-/* POSIX time of t_tai [s]: leap seconds are not counted. */
-double um_library_unix_time(double t_tai);
-
 #endif

@@ -10,6 +10,7 @@
 #include "library/scenario_impl.h"
 #include "library/source_impl.h"
 #include "model/build/build.h"
+#include "orbit/time.h"
 
 struct sensitivity {
   struct um_library_source source;
@@ -180,7 +181,7 @@ static enum um_status show_times(struct um_context *context, const struct um_sen
   double *data;
   const struct umbra_array array = {.shape = {m->ntime}, .axis = {"time"}};
   UM_TRY(um_library_result_make(context, result, array, "time_unix_s", "s", &data));
-  for (size_t k = 0; k < m->ntime; k++) data[k] = um_library_unix_time(m->time[k]);
+  for (size_t k = 0; k < m->ntime; k++) data[k] = um_orbit_time_unix(m->time[k]);
   return UM_OK;
 }
 

@@ -183,6 +183,13 @@ void um_orbit_time_utc_clock(double t_tai, double *mjd, double *seconds)
   *seconds = 3600.0 * hmsf[0] + 60.0 * hmsf[1] + hmsf[2] + 1e-9 * hmsf[3];
 }
 
+double um_orbit_time_unix(double t_tai)
+{
+  double mjd, seconds;
+  um_orbit_time_utc_clock(t_tai, &mjd, &seconds);
+  return DAY * (mjd - 40587.0) + seconds;
+}
+
 int um_orbit_time_leap_seconds(double from, double to)
 {
   double mjd[2], seconds[2];

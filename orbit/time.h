@@ -24,6 +24,8 @@ void um_orbit_time_ut1(double t_tai, double ut1_utc, double jd_ut1[2]);
 /* What a UTC clock shows: modified Julian day, and seconds of that day to 1 ns, from 0 up to 86400,
  * or 86401 on a day that ends in a leap second. */
 void um_orbit_time_utc_clock(double t_tai, double *mjd, double *seconds);
+/* The same as seconds since 1970-01-01, days of 86400 s, as POSIX counts. */
+double um_orbit_time_unix(double t_tai);
 /* Leap seconds put in between two times, from < to: to - from less what the clock moved on, its
  * days being taken as 86400 s. */
 int um_orbit_time_leap_seconds(double from, double to);

@@ -22,10 +22,11 @@ struct um_output_run {
 
 /* Write every file of a run into a folder in the making: lightcurve.csv, materials.csv,
  * temperatures.csv, heat.csv, temperatures.cic, run.nc, run.xdmf, scenario.yaml (as it was run, and
- * can be again where it stands), log.txt. Light-curve files only with an observer, counts.csv only
- * with sensors. UM_ERR_IO. */
+ * can be again where it stands), report.html, log.txt; with `pictures` those of um_output_plot_run.
+ * Light-curve files only with an observer, counts.csv only with sensors. UM_ERR_IO and errors of
+ * um_output_write_page. */
 enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
-                                   struct um_core_folder *folder);
+                                   bool pictures, struct um_core_folder *folder);
 
 /* Single files, to an open stream; used by um_output_write_run and by tests. */
 enum um_status um_output_write_lightcurve(const struct um_output_run *run, FILE *file);

@@ -2,6 +2,7 @@
 #include "output/output.h"
 
 #include "model/build/scenario_text.h"
+#include "output/page.h"
 
 typedef enum um_status (*writer)(const struct um_output_run *run, FILE *file);
 
@@ -58,7 +59,7 @@ static enum um_status write_scenario(struct um_context *context, const struct um
 }
 
 enum um_status um_output_write_run(struct um_context *context, const struct um_output_run *run,
-                                   struct um_core_folder *folder)
+                                   bool pictures, struct um_core_folder *folder)
 {
   if (run->model->has_observer) {
     UM_TRY(write_file(context, run, folder, "lightcurve.csv", um_output_write_lightcurve));
@@ -72,5 +73,7 @@ enum um_status um_output_write_run(struct um_context *context, const struct um_o
   UM_TRY(write_file(context, run, folder, "run.xdmf", um_output_write_xdmf));
   UM_TRY(write_scenario(context, run, folder));
   UM_TRY(write_netcdf(context, run, folder));
+  if (pictures) UM_TRY(um_output_plot_run(context, um_core_folder_path(folder), run));
+  UM_TRY(um_output_write_page(context, run, folder));
   return write_log(context, run, folder);
 }

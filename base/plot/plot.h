@@ -74,6 +74,15 @@ double um_plot_time_at(const struct um_plot_time *time, double t_tai);
 void um_plot_time_axis(struct um_plot *plot, const struct um_plot_time *time);
 /* "minutes after 2016-09-21 20:31:02 UTC", below, and what the shades say where there are some. */
 void um_plot_time_label(struct um_plot *plot, const struct um_plot_time *time);
+/* A run of umbra or penumbra, halfway to its neighbours. */
+struct um_plot_shadow {
+  double from, to;
+  bool umbra;
+};
+/* The next one from instant *k on, which moves behind it; false: there is none. t rising and sunlit
+ * fraction, both [count]. */
+bool um_plot_shadow_next(size_t count, const double *t, const double *sunlit, size_t *k,
+                         struct um_plot_shadow *out);
 /* Runs of umbra as dark, of penumbra as light boxes behind the curves of the panels to come,
  * halfway to the neighbours. t_tai rising and sunlit fraction, both [count]. */
 void um_plot_shade(struct um_plot *plot, const struct um_plot_time *time, size_t count,

@@ -52,21 +52,33 @@ void um_plot_time_label(struct um_plot *plot, const struct um_plot_time *time)
   um_plot_add(plot, "set xlabel %s noenhanced\n", text);
 }
 
+bool um_plot_shadow_next(size_t count, const double *t, const double *sunlit, size_t *k,
+                         struct um_plot_shadow *out)
+{
+  while (*k < count) {
+    size_t first = *k, end = first + 1;
+    bool lit = sunlit[first] >= UM_SUNLIGHT_LEAST, dark = sunlit[first] <= UM_UMBRA_MOST;
+    while (end < count && (sunlit[end] >= UM_SUNLIGHT_LEAST) == lit &&
+           (sunlit[end] <= UM_UMBRA_MOST) == dark)
+      end++;
+    *k = end;
+    if (lit) continue;
+    out->from = first == 0 ? t[0] : 0.5 * (t[first - 1] + t[first]);
+    out->to = end == count ? t[end - 1] : 0.5 * (t[end - 1] + t[end]);
+    out->umbra = dark;
+    return true;
+  }
+  return false;
+}
+
 void um_plot_shade(struct um_plot *plot, const struct um_plot_time *time, size_t count,
                    const double *t_tai, const double *sunlit)
 {
-  for (size_t k = 0, end; k < count; k = end) {
-    bool lit = sunlit[k] >= UM_SUNLIGHT_LEAST, dark = sunlit[k] <= UM_UMBRA_MOST;
-    for (end = k + 1; end < count; end++)
-      if ((sunlit[end] >= UM_SUNLIGHT_LEAST) != lit || (sunlit[end] <= UM_UMBRA_MOST) != dark)
-        break;
-    if (lit) continue;
-    double from = k == 0 ? t_tai[0] : 0.5 * (t_tai[k - 1] + t_tai[k]);
-    double to = end == count ? t_tai[end - 1] : 0.5 * (t_tai[end - 1] + t_tai[end]);
+  struct um_plot_shadow shadow;
+  for (size_t k = 0; um_plot_shadow_next(count, t_tai, sunlit, &k, &shadow);)
     um_plot_add(plot,
                 "set object %d rectangle from first %.6f, graph 0 to first %.6f, graph 1 "
                 "fillcolor rgb %s fillstyle solid noborder behind\n",
-                ++plot->objects, um_plot_time_at(time, from), um_plot_time_at(time, to),
-                dark ? "#d8dce6" : "#eceef3");
-  }
+                ++plot->objects, um_plot_time_at(time, shadow.from),
+                um_plot_time_at(time, shadow.to), shadow.umbra ? "#d8dce6" : "#eceef3");
 }

@@ -115,6 +115,33 @@ done:
   return status;
 }
 
+/* Area that samples saw over the projected area. What is nearly whole counts as whole: outlines are
+ * sampled. */
+static enum um_status seen_create(struct um_context *context,
+                                  const struct um_optics_exposure *frame,
+                                  const struct um_optics_image *image, double **out)
+{
+  double sample = image->pixel_size * image->pixel_size / image->samples;
+  double *seen;
+  UM_TRY(um_core_allocate(context, image->nspectrum, sizeof *seen, out));
+  seen = *out;
+  for (int y = 0; y < image->height; y++) {
+    const struct um_optics_image_row *row = &image->row[y];
+    for (uint32_t i = 0; row->count > 0 && i < row->first[row->count]; i++)
+      seen[row->share[i].spectrum] += sample * row->share[i].seen;
+  }
+  for (size_t k = 0; k < image->nspectrum; k++) {
+    size_t surface = image->surface[k];
+    double cosine =
+        um_vec3_dot(um_geometry_surface_normal(frame->mesh, frame->posed->pose, surface),
+                    frame->now.observer_body);
+    double area = frame->mesh->area[frame->mesh->surface[surface].facet] * cosine;
+    double share = area > 0.0 ? seen[k] / area : 1.0;
+    seen[k] = share > UM_OPTICS_SEEN_WHOLE ? 1.0 : fmax(share, UM_OPTICS_SEEN_LEAST);
+  }
+  return UM_OK;
+}
+
 static size_t bins_of(const struct um_optics_band *bands, size_t nband)
 {
   size_t n = 0;
@@ -148,6 +175,7 @@ enum um_status um_optics_image_render(struct um_context *context,
   enum um_status status;
   struct um_optics_image *image = NULL;
   struct render r = {.scene = scene, .options = options, .time = time};
+  double *seen = NULL;
   *out = NULL;
   UM_CHECK(render_begin(context, &r));
   UM_CHECK(um_core_allocate(context, 1, sizeof *image, &image));
@@ -160,10 +188,12 @@ enum um_status um_optics_image_render(struct um_context *context,
   um_optics_tracer_destroy(context, &r.tracer);
   UM_CHECK(name_spectra(context, r.frame.mesh, image));
   UM_CHECK(check_bytes(context, image, bins_of(bands, nband), rows));
-  UM_CHECK(um_optics_image_spectra(context, scene, time, bands, nband, &r.frame, image));
+  UM_CHECK(seen_create(context, &r.frame, image, &seen));
+  UM_CHECK(um_optics_image_spectra(context, scene, time, bands, nband, &r.frame, seen, image));
   *out = image;
   image = NULL;
 done:
+  um_core_free(context, seen);
   render_clear(context, &r);
   um_optics_image_destroy(context, &image);
   return status;

@@ -32,12 +32,15 @@ enum um_status um_optics_tracer_run(struct um_context *context, struct um_optics
 double um_optics_tracer_row_bytes(const struct um_optics_tracer *tracer);
 size_t um_optics_tracer_covered(const struct um_optics_tracer *tracer);
 
+#define UM_OPTICS_SEEN_WHOLE 0.98 /* of a surface, seen: all of it */
+#define UM_OPTICS_SEEN_LEAST 0.02 /* the smallest share that is told apart */
+
 /* dark and sun of an image whose surfaces are named; scene and bands as in um_optics_image_render.
- */
+ * seen: [nspectrum] share of each surface that is seen, from UM_OPTICS_SEEN_LEAST to 1. */
 enum um_status um_optics_image_spectra(struct um_context *context,
                                        const struct um_optics_scene *scene, size_t time,
                                        const struct um_optics_band *bands, size_t nband,
-                                       const struct um_optics_exposure *frame,
+                                       const struct um_optics_exposure *frame, const double *seen,
                                        struct um_optics_image *image);
 
 #endif

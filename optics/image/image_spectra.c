@@ -9,9 +9,6 @@
 #include "optics/paths/photons_group.h"
 #include "optics/radiance/coarse_group.h"
 
-#define WHOLE  0.98 /* of a surface, seen: all of it */
-#define SLIVER 0.02 /* the smallest share that is told apart */
-
 struct palette {
   const struct um_optics_scene *scene;
   const struct um_optics_exposure *frame;
@@ -21,7 +18,7 @@ struct palette {
   struct um_optics_spectra *few;   /* light between surfaces: in few bins */
   struct um_optics_work *few_work; /* [nthread] */
   struct um_optics_photons photons;
-  double *seen; /* [nspectrum] share of each surface that the picture sees [1] */
+  const double *seen; /* [nspectrum] share of each surface that is seen [1] */
 };
 
 /* Radiances of one surface: a share of it that is as large as 1 m^2 seen from the observer. */
@@ -72,30 +69,6 @@ static void fill(struct palette *p, size_t k, size_t thread, struct um_optics_im
   if (!um_optics_interreflection(&paths, &p->photons, surface, seen)) return;
   um_optics_coarse_expand(p->few, p->spectra, paths.work->reflected, work->row);
   for (size_t b = 0; b < n; b++) dark[b] += (float)(work->row[b] / seen);
-}
-
-/* Area that samples saw over the projected area. What is nearly whole counts as whole: outlines are
- * sampled. */
-static enum um_status seen_create(struct um_context *context, const struct um_optics_image *image,
-                                  struct palette *p)
-{
-  double sample = image->pixel_size * image->pixel_size / image->samples;
-  UM_TRY(um_core_allocate(context, image->nspectrum, sizeof *p->seen, &p->seen));
-  for (int y = 0; y < image->height; y++) {
-    const struct um_optics_image_row *row = &image->row[y];
-    for (uint32_t i = 0; row->count > 0 && i < row->first[row->count]; i++)
-      p->seen[row->share[i].spectrum] += sample * row->share[i].seen;
-  }
-  for (size_t k = 0; k < image->nspectrum; k++) {
-    size_t surface = image->surface[k];
-    double cosine =
-        um_vec3_dot(um_geometry_surface_normal(p->frame->mesh, p->frame->posed->pose, surface),
-                    p->frame->now.observer_body);
-    double area = p->frame->mesh->area[p->frame->mesh->surface[surface].facet] * cosine;
-    double share = area > 0.0 ? p->seen[k] / area : 1.0;
-    p->seen[k] = share > WHOLE ? 1.0 : fmax(share, SLIVER);
-  }
-  return UM_OK;
 }
 
 static enum um_status bins_create(struct um_context *context,
@@ -159,22 +132,21 @@ static enum um_status fill_all(struct um_context *context, struct palette *p,
 enum um_status um_optics_image_spectra(struct um_context *context,
                                        const struct um_optics_scene *scene, size_t time,
                                        const struct um_optics_band *bands, size_t nband,
-                                       const struct um_optics_exposure *frame,
+                                       const struct um_optics_exposure *frame, const double *seen,
                                        struct um_optics_image *image)
 {
   enum um_status status;
   struct palette p = {.scene = scene,
                       .frame = frame,
                       .time = time,
+                      .seen = seen,
                       .nthread = (size_t)um_core_context_threads(context)};
   UM_CHECK(um_optics_spectra_create(context, scene, time, 1, bands, nband, &p.spectra));
   UM_CHECK(bins_create(context, p.spectra, image));
   UM_CHECK(um_optics_work_create(context, p.spectra, 0, p.nthread, &p.work));
   if (frame->posed->exchange != NULL) UM_CHECK(between_create(context, bands, nband, &p));
-  UM_CHECK(seen_create(context, image, &p));
   UM_CHECK(fill_all(context, &p, image));
 done:
-  um_core_free(context, p.seen);
   um_optics_photons_clear(context, &p.photons);
   um_optics_work_destroy(context, p.nthread, &p.work);
   um_optics_work_destroy(context, p.nthread, &p.few_work);

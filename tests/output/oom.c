@@ -148,7 +148,7 @@ static enum um_status write_results(struct subject *s)
                                     .version = "0",
                                     .context = s->context};
   UM_CHECK(um_core_folder_begin(s->context, s->results, false, &folder));
-  UM_CHECK(um_output_write_run(s->context, &out, folder));
+  UM_CHECK(um_output_write_run(s->context, &out, false, folder));
   UM_CHECK(um_core_folder_commit(s->context, &folder));
   results_remove(s);
 done:
