@@ -3,7 +3,6 @@
 
 #include "app/app.h"
 #include "app/terminal.h"
-#include "evidence/comparison/plot.h"
 #include "evidence/comparison/report.h"
 #include "evidence/inversion/whole.h"
 #include "evidence/measurements/measurements.h"
@@ -117,9 +116,8 @@ static enum um_status write_folder(struct um_context *context,
                                    const struct um_app_options *options,
                                    struct um_core_folder **folder)
 {
-  UM_TRY(um_compare_write(context, comparison, options->command, UM_APP_VERSION, *folder));
-  if (!options->no_plots)
-    UM_TRY(um_compare_plot(context, comparison, um_core_folder_path(*folder)));
+  UM_TRY(um_compare_write(context, comparison, options->command, UM_APP_VERSION, !options->no_plots,
+                          *folder));
   return um_core_folder_commit(context, folder);
 }
 

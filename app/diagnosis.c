@@ -6,7 +6,6 @@
 #include "base/batch/each.h"
 #include "base/core/digest.h"
 #include "base/core/file_snapshot.h"
-#include "evidence/diagnosis/report/plot.h"
 #include "evidence/diagnosis/report/write.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "evidence/measurements/measurements.h"
@@ -80,9 +79,8 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
                                        struct um_app_diagnosis *work)
 {
   const struct um_diagnosis *d = work->diagnosis;
-  UM_TRY(um_diagnosis_report_write(context, d, options->command, UM_APP_VERSION, work->folder));
-  if (!options->no_plots)
-    UM_TRY(um_diagnosis_report_plot(context, d, um_core_folder_path(work->folder)));
+  UM_TRY(um_diagnosis_report_write(context, d, options->command, UM_APP_VERSION, !options->no_plots,
+                                   work->folder));
   UM_TRY(um_core_folder_commit(context, &work->folder));
   work->written = true;
   um_app_terminal_clear();

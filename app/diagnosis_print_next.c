@@ -1,43 +1,12 @@
 /* What a diagnosis leaves open, for a person: what to measure next, missing heat, what was not
  * tried.
  */
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "app/diagnosis.h"
 #include "evidence/diagnosis/report/channels.h"
-#include "evidence/measurements/time_text.h"
+#include "evidence/diagnosis/report/next_text.h"
 #include "orbit/time.h"
-
-/* What would tell, the same words for alternatives that the same tells. */
-static void next_text(const struct um_diagnosis_next *next, char out[512])
-{
-  char from[40], to[40];
-  if (next->what == NULL) {
-    snprintf(out, 512, "%s%s%s",
-             isnan(next->from) ? "not looked for" : "nothing that this scenario observes",
-             next->told_apart_by != NULL ? "; told apart from " : "",
-             next->told_apart_by != NULL ? next->told_apart_by : "");
-    return;
-  }
-  um_compare_time_text(next->from, from);
-  um_compare_time_text(next->to, to);
-  snprintf(out, 512,
-           "%s, %s to %s; an observation of sigma %.3g %s there tells them apart by a chi-square "
-           "of %.3g",
-           next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
-           next->chi2_difference);
-}
-
-static bool same_next(const struct um_diagnosis_next *a, const struct um_diagnosis_next *b)
-{
-  char one[512], other[512];
-  if (a->step != b->step) return false;
-  next_text(a, one);
-  next_text(b, other);
-  return strcmp(one, other) == 0;
-}
 
 /* All alternatives that the same tells from the winner are one line, that of the first. */
 static void print_next(const struct um_diagnosis *d)
@@ -45,15 +14,15 @@ static void print_next(const struct um_diagnosis *d)
   if (d->nnext > 0) printf("\nnext measurement, to tell\n");
   for (size_t i = 0; i < d->nnext; i++) {
     const struct um_diagnosis_next *next = &d->next_of[i];
-    char text[512];
+    char text[UM_DIAGNOSIS_NEXT_TEXT];
     size_t before = 0;
-    while (before < i && !same_next(&d->next_of[before], next)) before++;
+    while (before < i && !um_diagnosis_report_next_same(&d->next_of[before], next)) before++;
     if (before < i) continue;
     printf("  %s from ", d->candidates->candidate[d->step[next->step].candidate].name);
     for (size_t k = i; k < d->nnext; k++)
-      if (same_next(&d->next_of[k], next))
+      if (um_diagnosis_report_next_same(&d->next_of[k], next))
         printf("%s%s", k > i ? ", " : "", d->candidates->candidate[d->next_of[k].candidate].name);
-    next_text(next, text);
+    um_diagnosis_report_next_text(next, text);
     printf(": %s\n", text);
   }
 }

@@ -86,9 +86,7 @@ static enum um_status finish(struct um_context *context, const struct um_app_opt
                                                .nwhat_if = work->nwhat_if,
                                                .command = options->command,
                                                .version = UM_APP_VERSION};
-  UM_TRY(um_sensitivity_report_write(context, &report, work->folder));
-  if (!options->no_plots)
-    UM_TRY(um_sensitivity_report_plot(context, work->matrix, um_core_folder_path(work->folder)));
+  UM_TRY(um_sensitivity_report_write(context, &report, !options->no_plots, work->folder));
   UM_TRY(um_core_folder_commit(context, &work->folder));
   um_app_terminal_clear();
   if (options->json)

@@ -1,5 +1,4 @@
 /* A comparison with measurements as a result. */
-#include "evidence/comparison/plot.h"
 #include "evidence/comparison/report.h"
 #include "evidence/inversion/whole.h"
 #include "library/measurements_impl.h"
@@ -31,10 +30,8 @@ static enum um_status comparison_write(struct um_context *context,
                                        struct um_core_folder *folder)
 {
   const struct comparison *c = result->work;
-  UM_TRY(
-      um_compare_write(context, c->whole.comparison, write->command, UM_LIBRARY_VERSION, folder));
-  if (write->pictures == 0) return UM_OK;
-  return um_compare_plot(context, c->whole.comparison, um_core_folder_path(folder));
+  return um_compare_write(context, c->whole.comparison, write->command, UM_LIBRARY_VERSION,
+                          write->pictures != 0, folder);
 }
 
 static const struct um_model *comparison_model(const void *work)

@@ -6,7 +6,6 @@
 
 #include "base/core/suggestions.h"
 #include "effects/effects.h"
-#include "evidence/diagnosis/report/plot.h"
 #include "evidence/diagnosis/report/write.h"
 #include "library/diagnosis_impl.h"
 #include "library/scenario_impl.h"
@@ -34,9 +33,8 @@ static enum um_status diagnosis_write(struct um_context *context, const struct u
                                       struct um_core_folder *folder)
 {
   const struct um_diagnosis *d = ((const struct um_library_diagnosis *)result->work)->diagnosis;
-  UM_TRY(um_diagnosis_report_write(context, d, write->command, UM_LIBRARY_VERSION, folder));
-  if (write->pictures == 0) return UM_OK;
-  return um_diagnosis_report_plot(context, d, um_core_folder_path(folder));
+  return um_diagnosis_report_write(context, d, write->command, UM_LIBRARY_VERSION,
+                                   write->pictures != 0, folder);
 }
 
 static const struct um_model *diagnosis_model(const void *work)

@@ -44,9 +44,7 @@ static enum um_status sensitivity_write(struct um_context *context,
   const struct sensitivity *s = result->work;
   const struct um_sensitivity_report report = {
       .matrix = s->matrix, .command = write->command, .version = UM_LIBRARY_VERSION};
-  UM_TRY(um_sensitivity_report_write(context, &report, folder));
-  if (write->pictures == 0) return UM_OK;
-  return um_sensitivity_report_plot(context, s->matrix, um_core_folder_path(folder));
+  return um_sensitivity_report_write(context, &report, write->pictures != 0, folder);
 }
 
 static const struct um_model *sensitivity_model(const void *work)

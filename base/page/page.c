@@ -277,3 +277,13 @@ enum um_status um_page_write(struct um_context *context, struct um_page *page, F
   fputs("</body>\n</html>\n", file);
   return UM_OK;
 }
+
+enum um_status um_page_write_report(struct um_context *context, struct um_page *page,
+                                    struct um_core_folder *folder)
+{
+  FILE *file = NULL;
+  UM_TRY(um_core_folder_open(context, folder, UM_PAGE_FILE, &file));
+  enum um_status status = um_page_write(context, page, file);
+  enum um_status closed = um_core_file_close(context, UM_PAGE_FILE, &file);
+  return status != UM_OK ? status : closed;
+}

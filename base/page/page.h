@@ -12,7 +12,9 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "base/core/context.h"
+#include "base/core/file.h"
+
+#define UM_PAGE_FILE "report.html"
 
 struct um_page;
 
@@ -175,5 +177,8 @@ void um_page_scene(struct um_page *page, const struct um_page_figure *figure,
 /* Write the page; it may be written again. The caller looks for errors of the stream.
  * UM_ERR_MEMORY: something of it is missing; UM_ERR_LIBRARY: zlib. */
 enum um_status um_page_write(struct um_context *context, struct um_page *page, FILE *file);
+/* The same as report.html of a folder in the making. UM_ERR_IO, too. */
+enum um_status um_page_write_report(struct um_context *context, struct um_page *page,
+                                    struct um_core_folder *folder);
 
 #endif

@@ -7,6 +7,8 @@
 #include "base/core/csv.h"
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
+#include "evidence/comparison/page.h"
+#include "evidence/comparison/plot.h"
 #include "evidence/measurements/time_text.h"
 
 #define ALL_LABEL "all"
@@ -169,7 +171,7 @@ static void write_residuals(const struct um_compare_comparison *c, FILE *file)
 
 enum um_status um_compare_write(struct um_context *context,
                                 const struct um_compare_comparison *comparison, const char *command,
-                                const char *version, struct um_core_folder *folder)
+                                const char *version, bool pictures, struct um_core_folder *folder)
 {
   FILE *file;
   UM_TRY(um_core_folder_open(context, folder, "compare.json", &file));
@@ -180,5 +182,7 @@ enum um_status um_compare_write(struct um_context *context,
   UM_TRY(um_core_file_close(context, "metrics.csv", &file));
   UM_TRY(um_core_folder_open(context, folder, "residuals.csv", &file));
   write_residuals(comparison, file);
-  return um_core_file_close(context, "residuals.csv", &file);
+  UM_TRY(um_core_file_close(context, "residuals.csv", &file));
+  if (pictures) UM_TRY(um_compare_plot(context, comparison, um_core_folder_path(folder)));
+  return um_compare_write_page(context, comparison, command, version, folder);
 }

@@ -5,6 +5,7 @@
 
 #include "base/core/constants.h"
 #include "model/build/timeline.h"
+#include "orbit/time.h"
 
 #define LONGEST   259200.0 /* [s] beyond it single shadows are not to be seen */
 #define STEP      60.0     /* [s] at most between instants at which the shadow is looked up */
@@ -82,14 +83,36 @@ static enum um_status follow(struct shadow *s, double first, double last)
   return UM_OK;
 }
 
+/* Nothing where an axis has no shadows to be seen. */
+static enum um_status follow_axis(struct shadow *s, double first, double last)
+{
+  if (s->model->points || !(last > first) || !(last - first < LONGEST)) return UM_OK;
+  return follow(s, first, last);
+}
+
 enum um_status um_compare_plot_shade(struct um_context *context, const struct um_model *model,
                                      const struct um_plot_time *time, struct um_plot *plot)
 {
   struct shadow s = {.context = context, .model = model};
-  if (model->points || !(time->last > time->first) || !(time->last - time->first < LONGEST))
-    return UM_OK;
-  enum um_status status = follow(&s, time->first, time->last);
+  enum um_status status = follow_axis(&s, time->first, time->last);
   if (status == UM_OK) um_plot_shade(plot, time, s.count, s.t, s.sunlit);
+  UM_FREE(context, s.t, s.sunlit);
+  return status;
+}
+
+enum um_status um_compare_page_shade(struct um_context *context, const struct um_model *model,
+                                     double first, double last, struct um_core_arena *memory,
+                                     struct um_page_shade **out, size_t *count)
+{
+  struct shadow s = {.context = context, .model = model};
+  struct um_plot_shadow next;
+  *count = 0;
+  enum um_status status = follow_axis(&s, first, last);
+  if (status == UM_OK) status = um_core_arena_allocate(context, memory, s.count, sizeof **out, out);
+  for (size_t k = 0; status == UM_OK && um_plot_shadow_next(s.count, s.t, s.sunlit, &k, &next);)
+    (*out)[(*count)++] =
+        (struct um_page_shade){um_orbit_time_unix(next.from), um_orbit_time_unix(next.to),
+                               next.umbra ? "umbra" : "penumbra"};
   UM_FREE(context, s.t, s.sunlit);
   return status;
 }

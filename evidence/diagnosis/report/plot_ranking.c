@@ -20,29 +20,26 @@
 #define BAR   30
 #define BELOW 112
 
-enum role { LINEAR, FITTED, TIED, WINNER, NROLE };
-static const char *const role_colour[NROLE] = {
-    [LINEAR] = "#d5d9e0", [FITTED] = "#8f98a8", [TIED] = "#e8a33d", [WINNER] = "#1f4e9c"};
-
-struct bar {
-  const struct um_diagnosis_alternative *score; /* on the baseline */
-  const struct um_diagnosis_alternative *fit;   /* of the first step; NULL: not fitted */
-  enum role role;
-};
+static const char *const role_colour[UM_DIAGNOSIS_BAR_ROLES] = {
+    [UM_DIAGNOSIS_BAR_LINEAR] = "#d5d9e0",
+    [UM_DIAGNOSIS_BAR_FITTED] = "#8f98a8",
+    [UM_DIAGNOSIS_BAR_TIED] = "#e8a33d",
+    [UM_DIAGNOSIS_BAR_WINNER] = "#1f4e9c"};
 
 /* The candidate as the first step fitted it: the winner, those that cannot be told from it, and
  * those that are worse. */
-static struct bar bar_of(const struct um_diagnosis *d, const struct um_diagnosis_alternative *score)
+static struct um_diagnosis_report_bar bar_of(const struct um_diagnosis *d,
+                                             const struct um_diagnosis_alternative *score)
 {
-  struct bar bar = {score, NULL, LINEAR};
+  struct um_diagnosis_report_bar bar = {score, NULL, UM_DIAGNOSIS_BAR_LINEAR};
   for (size_t i = 0; d->nstep > 0 && i < d->step[0].nalternative; i++) {
     const struct um_diagnosis_alternative *alternative = &d->step[0].alternative[i];
     if (alternative->candidate != score->candidate) continue;
     if (alternative->fitted && isfinite(alternative->bic)) bar.fit = alternative;
-    bar.role = d->step[0].candidate == alternative->candidate ? WINNER
-               : alternative->indistinguishable               ? TIED
-               : bar.fit != NULL                              ? FITTED
-                                                              : LINEAR;
+    bar.role = d->step[0].candidate == alternative->candidate ? UM_DIAGNOSIS_BAR_WINNER
+               : alternative->indistinguishable               ? UM_DIAGNOSIS_BAR_TIED
+               : bar.fit != NULL                              ? UM_DIAGNOSIS_BAR_FITTED
+                                                              : UM_DIAGNOSIS_BAR_LINEAR;
   }
   return bar;
 }
@@ -50,8 +47,9 @@ static struct bar bar_of(const struct um_diagnosis *d, const struct um_diagnosis
 /* The winner, fits by BIC, linear models by what they explain. */
 static int by_evidence(const void *a, const void *b)
 {
-  const struct bar *x = a, *y = b;
-  if ((x->role == WINNER) != (y->role == WINNER)) return x->role == WINNER ? -1 : 1;
+  const struct um_diagnosis_report_bar *x = a, *y = b;
+  if ((x->role == UM_DIAGNOSIS_BAR_WINNER) != (y->role == UM_DIAGNOSIS_BAR_WINNER))
+    return x->role == UM_DIAGNOSIS_BAR_WINNER ? -1 : 1;
   if ((x->fit == NULL) != (y->fit == NULL)) return x->fit == NULL ? 1 : -1;
   if (x->fit != NULL && x->fit->bic != y->fit->bic) return x->fit->bic < y->fit->bic ? -1 : 1;
   double p = x->score->score.statistic, q = y->score->score.statistic;
@@ -59,11 +57,11 @@ static int by_evidence(const void *a, const void *b)
   return x->score->candidate < y->score->candidate ? -1 : 1;
 }
 
-/* Out: [nranking], of which *shown are drawn. */
-static enum um_status choose_bars(struct um_context *context, const struct um_diagnosis *d,
-                                  struct bar **out, size_t *shown, size_t *tested)
+enum um_status um_diagnosis_report_bars(struct um_context *context, const struct um_diagnosis *d,
+                                        struct um_diagnosis_report_bar **out, size_t *shown,
+                                        size_t *tested)
 {
-  struct bar *bar;
+  struct um_diagnosis_report_bar *bar;
   *tested = 0;
   UM_TRY(um_core_allocate(context, d->nranking, sizeof *bar, &bar));
   for (size_t i = 0; i < d->nranking; i++)
@@ -90,13 +88,15 @@ static double threshold(double level, size_t n)
 }
 
 /* What a bar explains of the baseline's chi-square. */
-static double explained(const struct um_diagnosis *d, const struct bar *bar)
+double um_diagnosis_report_explained(const struct um_diagnosis *d,
+                                     const struct um_diagnosis_report_bar *bar)
 {
   return fmax(bar->fit != NULL ? d->chi2 - bar->fit->chi2 : bar->score->score.statistic, 0.0);
 }
 
 /* "power_W 4.2 ± 0.3" of the first parameter, "" of a switch. */
-static void estimate(const struct um_diagnosis *d, const struct bar *bar, char out[160])
+void um_diagnosis_report_bar_text(const struct um_diagnosis *d,
+                                  const struct um_diagnosis_report_bar *bar, char out[160])
 {
   const struct um_sensitivity_candidate *candidate =
       um_diagnosis_report_candidate_of(d, bar->score);
@@ -120,25 +120,27 @@ static void estimate(const struct um_diagnosis *d, const struct bar *bar, char o
 }
 
 /* What stands behind a bar. */
-static void caption(const struct um_diagnosis *d, const struct bar *bar, char out[240])
+static void caption(const struct um_diagnosis *d, const struct um_diagnosis_report_bar *bar,
+                    char out[240])
 {
   char text[160];
-  estimate(d, bar, text);
+  um_diagnosis_report_bar_text(d, bar, text);
   if (bar->fit == NULL)
     snprintf(out, 240, "linear model %.4g   %s", bar->score->score.statistic, text);
-  else if (bar->role == WINNER)
+  else if (bar->role == UM_DIAGNOSIS_BAR_WINNER)
     snprintf(out, 240, "BIC %+.4g against the baseline   %s", d->step[0].delta_bic, text);
   else
     snprintf(out, 240, "BIC %s%+.4g   %s", bar->fit->converged ? "" : "up to ",
              bar->fit->bic - d->step[0].alternative[0].bic, text);
 }
 
-static void put_bars(const struct um_diagnosis *d, const struct bar *bar, size_t shown,
-                     struct um_plot *plot)
+static void put_bars(const struct um_diagnosis *d, const struct um_diagnosis_report_bar *bar,
+                     size_t shown, struct um_plot *plot)
 {
   um_plot_add(plot, "$ranking << EOD\n");
   for (size_t i = 0; i < shown; i++)
-    um_plot_add(plot, "%zu,%.6g,%.6g,%u\n", i, explained(d, &bar[i]), bar[i].score->score.statistic,
+    um_plot_add(plot, "%zu,%.6g,%.6g,%u\n", i, um_diagnosis_report_explained(d, &bar[i]),
+                bar[i].score->score.statistic,
                 (unsigned)strtoul(role_colour[bar[i].role] + 1, NULL, 16));
   um_plot_add(plot, "EOD\n");
   for (size_t i = 0; i < shown; i++) {
@@ -156,17 +158,18 @@ static void put_bars(const struct um_diagnosis *d, const struct bar *bar, size_t
 /* In a panel of its own: beside the bars it would be too narrow. */
 static void put_key(struct um_plot *plot, double level, size_t tested)
 {
-  static const char *const title[NROLE] = {[LINEAR] = "linear model, not fitted",
-                                           [FITTED] = "fitted, and worse",
-                                           [TIED] = "cannot be told from it",
-                                           [WINNER] = "chosen first"};
+  static const char *const title[UM_DIAGNOSIS_BAR_ROLES] = {
+      [UM_DIAGNOSIS_BAR_LINEAR] = "linear model, not fitted",
+      [UM_DIAGNOSIS_BAR_FITTED] = "fitted, and worse",
+      [UM_DIAGNOSIS_BAR_TIED] = "cannot be told from it",
+      [UM_DIAGNOSIS_BAR_WINNER] = "chosen first"};
   char chance[80];
   snprintf(chance, sizeof chance, "%.3g %% by chance among %zu", 100.0 * level, tested);
   um_plot_add(plot,
               "unset label\nunset arrow\nunset xtics\nunset xlabel\nset border 0\n"
               "set xrange [0:1]\nset yrange [0:1]\n"
               "set key at graph 0.5,0.5 center center horizontal samplen 1.6 maxrows 2\nplot ");
-  for (int role = NROLE - 1; role >= 0; role--)
+  for (int role = UM_DIAGNOSIS_BAR_ROLES - 1; role >= 0; role--)
     um_plot_add(plot, "NaN with boxes linecolor rgb %s title %s, ", role_colour[role], title[role]);
   um_plot_add(plot,
               "NaN with points pointtype 2 pointsize 0.8 linewidth 1.2 linecolor rgb '#111111' "
@@ -180,14 +183,15 @@ enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
                                                 struct um_plot *plot)
 {
   const struct um_diagnosis *d = diagnosis;
-  struct bar *bar;
+  struct um_diagnosis_report_bar *bar;
   size_t shown, tested;
   char below[200];
-  UM_TRY(choose_bars(context, d, &bar, &shown, &tested));
+  UM_TRY(um_diagnosis_report_bars(context, d, &bar, &shown, &tested));
   double level = d->level > 0.0 ? d->level : UM_MISSING_HEAT_LEVEL;
   double line = threshold(level, tested), longest = line;
   for (size_t i = 0; i < shown; i++)
-    longest = fmax(longest, fmax(explained(d, &bar[i]), bar[i].score->score.statistic));
+    longest = fmax(longest,
+                   fmax(um_diagnosis_report_explained(d, &bar[i]), bar[i].score->score.statistic));
   int bottom = TOP + BAR * (int)shown;
   um_plot_picture(plot, "ranking", WIDTH, bottom + BELOW);
   snprintf(

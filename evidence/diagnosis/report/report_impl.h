@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "base/core/file.h"
 #include "base/plot/plot.h"
 #include "evidence/diagnosis/diagnosis.h"
 
@@ -40,6 +41,30 @@ struct um_plot_time um_diagnosis_report_plot_time(double first, double last);
  * (drawn) or albedo". */
 void um_diagnosis_report_plot_verdict(const struct um_diagnosis *diagnosis, char *out, size_t size);
 
+/* A candidate by what it explains alone of the baseline's chi-square. */
+enum um_diagnosis_report_role {
+  UM_DIAGNOSIS_BAR_LINEAR, /* not fitted: by the linear model */
+  UM_DIAGNOSIS_BAR_FITTED, /* and worse than the winner */
+  UM_DIAGNOSIS_BAR_TIED,   /* cannot be told from the winner */
+  UM_DIAGNOSIS_BAR_WINNER, /* of the first step */
+  UM_DIAGNOSIS_BAR_ROLES
+};
+struct um_diagnosis_report_bar {
+  const struct um_diagnosis_alternative *score; /* on the baseline */
+  const struct um_diagnosis_alternative *fit;   /* of the first step; NULL: not fitted */
+  enum um_diagnosis_report_role role;
+};
+/* The candidates, best first; *out: [*tested], of which *shown are worth a look; the caller frees.
+ */
+enum um_status um_diagnosis_report_bars(struct um_context *context, const struct um_diagnosis *d,
+                                        struct um_diagnosis_report_bar **out, size_t *shown,
+                                        size_t *tested);
+double um_diagnosis_report_explained(const struct um_diagnosis *d,
+                                     const struct um_diagnosis_report_bar *bar);
+/* "power_W 4.2 ± 0.3" of the first parameter, "" of a switch. */
+void um_diagnosis_report_bar_text(const struct um_diagnosis *d,
+                                  const struct um_diagnosis_report_bar *bar, char out[160]);
+
 /* ranking.png: chi-square that the best candidates explain of the baseline, by a fit or by a
  * linear model; there is a ranking. */
 enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
@@ -49,6 +74,12 @@ enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
 enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
                                              const struct um_diagnosis *diagnosis,
                                              struct um_plot *plot);
+
+/* report.html into a folder in the making. UM_ERR_IO, UM_ERR_MEMORY. */
+enum um_status um_diagnosis_report_write_page(struct um_context *context,
+                                              const struct um_diagnosis *diagnosis,
+                                              const char *command, const char *version,
+                                              struct um_core_folder *folder);
 
 /* improved/scenario.yaml into the folder at `path`. */
 enum um_status um_diagnosis_report_improved_write(struct um_context *context,

@@ -9,6 +9,7 @@
 #include "base/core/csv.h"
 #include "base/core/file.h"
 #include "evidence/diagnosis/report/channels.h"
+#include "evidence/diagnosis/report/plot.h"
 #include "evidence/diagnosis/report/report_impl.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "evidence/measurements/time_text.h"
@@ -138,7 +139,8 @@ static void write_heat(const struct um_missing_heat_unexplained *u, FILE *file)
 
 enum um_status um_diagnosis_report_write(struct um_context *context,
                                          const struct um_diagnosis *diagnosis, const char *command,
-                                         const char *version, struct um_core_folder *folder)
+                                         const char *version, bool pictures,
+                                         struct um_core_folder *folder)
 {
   FILE *file;
   UM_TRY(um_core_folder_open(context, folder, "diagnosis.json", &file));
@@ -160,6 +162,8 @@ enum um_status um_diagnosis_report_write(struct um_context *context,
     write_heat(diagnosis->unexplained, file);
     UM_TRY(um_core_file_close(context, "heat.csv", &file));
   }
-  return um_diagnosis_report_improved_write(context, diagnosis, command, version,
-                                            um_core_folder_path(folder));
+  UM_TRY(um_diagnosis_report_improved_write(context, diagnosis, command, version,
+                                            um_core_folder_path(folder)));
+  if (pictures) UM_TRY(um_diagnosis_report_plot(context, diagnosis, um_core_folder_path(folder)));
+  return um_diagnosis_report_write_page(context, diagnosis, command, version, folder);
 }

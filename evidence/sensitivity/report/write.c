@@ -115,7 +115,7 @@ static void write_what_if(const struct um_sensitivity_report *r, FILE *file)
 
 enum um_status um_sensitivity_report_write(struct um_context *context,
                                            const struct um_sensitivity_report *report,
-                                           struct um_core_folder *folder)
+                                           bool pictures, struct um_core_folder *folder)
 {
   FILE *file;
   UM_TRY(um_core_folder_open(context, folder, "parameters.csv", &file));
@@ -132,7 +132,10 @@ enum um_status um_sensitivity_report_write(struct um_context *context,
   UM_TRY(um_core_folder_open(context, folder, "sensitivity.nc", &file));
   enum um_status status = um_sensitivity_report_write_netcdf(context, report, file);
   enum um_status closed = um_core_file_close(context, "sensitivity.nc", &file);
-  return status != UM_OK ? status : closed;
+  UM_TRY(status != UM_OK ? status : closed);
+  if (pictures)
+    UM_TRY(um_sensitivity_report_plot(context, report->matrix, um_core_folder_path(folder)));
+  return um_sensitivity_report_write_page(context, report, folder);
 }
 
 /* --- JSON ------------------------------------------------------------------------------------- */

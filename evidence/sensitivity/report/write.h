@@ -17,10 +17,16 @@ struct um_sensitivity_report {
 };
 
 /* sensitivity.nc, parameters.csv, sensitivity.csv (the strongest of every minute), what_if.csv
- * where there is one (docs/files.md). UM_ERR_IO. */
+ * where there is one (docs/files.md), report.html, and with `pictures` that of
+ * um_sensitivity_report_plot. UM_ERR_IO, UM_ERR_MEMORY. */
 enum um_status um_sensitivity_report_write(struct um_context *context,
                                            const struct um_sensitivity_report *report,
-                                           struct um_core_folder *folder);
+                                           bool pictures, struct um_core_folder *folder);
+/* report.html alone, with sliders that move the curves (docs/files.md). UM_ERR_IO, UM_ERR_MEMORY.
+ */
+enum um_status um_sensitivity_report_write_page(struct um_context *context,
+                                                const struct um_sensitivity_report *report,
+                                                struct um_core_folder *folder);
 /* The same numbers as one object, but for curves. Errors of writing are the stream's. */
 void um_sensitivity_report_write_json(const struct um_sensitivity_report *report, FILE *file);
 /* sensitivity.nc alone. UM_ERR_IO. */

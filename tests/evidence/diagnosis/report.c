@@ -151,7 +151,7 @@ static void test_failure(void **state)
   assert_int_equal(rename("scene", "gone"), 0);
   assert_ok(um_core_folder_begin(context, "out", false, &folder));
   um_core_message_clear(context);
-  assert_int_equal(um_diagnosis_report_write(context, &w.d, "c", "v", folder), UM_ERR_IO);
+  assert_int_equal(um_diagnosis_report_write(context, &w.d, "c", "v", false, folder), UM_ERR_IO);
   assert_string_equal(um_core_message(context), "orbit.tle: No such file or directory");
   um_core_folder_abort(&folder);
   assert_int_equal(access("out", F_OK), -1);

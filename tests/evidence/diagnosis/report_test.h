@@ -275,8 +275,8 @@ static inline void write_out(struct world *w)
 {
   struct um_core_folder *folder;
   assert_ok(um_core_folder_begin(context, "out", false, &folder));
-  assert_ok(
-      um_diagnosis_report_write(context, &w->d, "umbra diagnose\nscene m.csv", "9.9", folder));
+  assert_ok(um_diagnosis_report_write(context, &w->d, "umbra diagnose\nscene m.csv", "9.9", false,
+                                      folder));
   assert_ok(um_core_folder_commit(context, &folder));
 }
 
