@@ -1,9 +1,14 @@
-# viewer.c of viewer.js, viewer.css and their hashes, as page_impl.h declares them.
+# viewer.c of viewer.js, viewer.css and their hashes (viewer.sha256, a line each), as page_impl.h declares them.
 #   cmake -D folder=FOLDER -P embed.cmake
 set(text "/* Made by base/page/embed.cmake. */\n#include <stddef.h>\n")
+file(STRINGS "${folder}/viewer.sha256" hashes)
 foreach(kind js css)
   file(READ "${folder}/viewer.${kind}" bytes HEX)
-  file(READ "${folder}/viewer.${kind}.hash" hash)
+  set(hash "")
+  if(hashes)
+    list(POP_FRONT hashes hash)
+    set(hash "sha256-${hash}")
+  endif()
   string(LENGTH "${bytes}" length)
   math(EXPR length "${length} / 2")
   string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")

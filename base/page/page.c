@@ -234,13 +234,13 @@ static void put_head(const struct um_page *page, FILE *file)
 /* What a page shows without script. */
 static void put_plain(const struct um_page *page, FILE *file)
 {
-  fputs("<main id=\"umbra-page\">\n<h1>", file);
+  if (um_page_has_viewer()) fputs("<noscript>\n", file);
+  fputs("<main>\n<h1>", file);
   um_page_plain_text(file, page->title);
   fputs("</h1>\n", file);
   fwrite(page->plain_lead.text, 1, page->plain_lead.length, file);
   if (um_page_has_viewer()) {
-    fputs("<noscript><p>The figures of this page need scripts, which this browser does not "
-          "run.</p></noscript>\n",
+    fputs("<p>The figures of this page need scripts, which this browser does not run.</p>\n",
           file);
   } else {
     fputs("<table>\n", file);
@@ -254,6 +254,7 @@ static void put_plain(const struct um_page *page, FILE *file)
     fputs("</p>\n", file);
   }
   fputs("</main>\n", file);
+  if (um_page_has_viewer()) fputs("</noscript>\n", file);
 }
 
 enum um_status um_page_write(struct um_context *context, struct um_page *page, FILE *file)

@@ -1,0 +1,79 @@
+/* Arrows from the satellite to the Sun, nadir, observer and along its velocity, with names beside their tips. */
+import { ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import { el } from "./dom.js";
+import { colours } from "./theme.js";
+
+export const ARROWS = [
+  { id: "sun", name: "Sun" },
+  { id: "nadir", name: "nadir" },
+  { id: "observer", name: "observer" },
+  { id: "velocity", name: "velocity" },
+];
+const UP = new Vector3(0, 1, 0);
+
+function arrow(radius) {
+  const material = new MeshBasicMaterial({ transparent: true });
+  const shaft = new Mesh(new CylinderGeometry(radius * 0.011, radius * 0.011, 1, 8), material);
+  shaft.position.y = 0.5;
+  const head = new Mesh(new ConeGeometry(radius * 0.04, radius * 0.12, 16), material);
+  const group = new Group();
+  group.add(shaft, head);
+  return { group, shaft, head, material };
+}
+
+/**
+ * @param {object} scene arrays of the document's scene @param {Vector3} centre @param {number} radius
+ * @param {HTMLElement} layer where the names stand
+ */
+export function createArrows(scene, centre, radius, layer) {
+  const root = new Group();
+  const arrows = ARROWS.filter((a) => scene[a.id]).map((a) => {
+    const parts = arrow(radius);
+    const label = el("span", { class: "arrow-label" }, a.name);
+    layer.append(label);
+    root.add(parts.group);
+    return { ...a, ...parts, label, direction: new Vector3(), tip: new Vector3(), known: false };
+  });
+  const inner = 1.04 * radius;
+  const outer = 1.42 * radius;
+  return {
+    root,
+    set(i) {
+      for (const a of arrows) {
+        a.direction.fromArray(scene[a.id], 3 * i);
+        a.known = Number.isFinite(a.direction.lengthSq()) && a.direction.lengthSq() > 0;
+        if (!a.known) continue;
+        a.direction.normalize();
+        a.group.quaternion.setFromUnitVectors(UP, a.direction);
+        a.group.position.copy(centre).addScaledVector(a.direction, inner);
+        a.shaft.scale.y = outer - inner;
+        a.shaft.position.y = (outer - inner) / 2;
+        a.head.position.y = outer - inner;
+        a.tip.copy(centre).addScaledVector(a.direction, outer + 0.12 * radius);
+        const dark = a.id === "sun" && scene.sunlit && scene.sunlit[i] < 0.001;
+        a.material.opacity = dark ? 0.35 : 1;
+        a.label.textContent = dark ? "(Sun)" : a.name;
+        a.label.title = dark ? "behind the Earth" : "";
+      }
+    },
+    /** Colours of the theme. */
+    tint() {
+      for (const a of arrows) {
+        a.material.color.set(colours().arrows[a.id]);
+        a.label.style.color = colours().arrows[a.id];
+      }
+    },
+    /** Puts the names beside the tips; an arrow that points at or from the eye is left out. */
+    place(camera, width, height, shown) {
+      const sight = camera.getWorldDirection(new Vector3());
+      const at = new Vector3();
+      for (const a of arrows) {
+        const end = !a.known || Math.abs(sight.dot(a.direction)) > 0.985;
+        a.group.visible = shown && !end;
+        a.label.hidden = !a.group.visible;
+        at.copy(a.tip).project(camera);
+        a.label.style.transform = `translate(-50%, -50%) translate(${((at.x + 1) / 2) * width}px, ${((1 - at.y) / 2) * height}px)`;
+      }
+    },
+  };
+}
