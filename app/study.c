@@ -23,10 +23,12 @@ static void print_result(const struct um_study_result *r, const char *folder)
   for (size_t q = 0; q < r->nquantity; q++) {
     if (!(r->error[q] >= 0.0)) continue; /* metrics, whose error nobody states */
     const struct um_study_quantity *of = &r->quantity[q];
-    printf("  %-28s error at most %.2g", of->name, r->error[q]);
-    if (short_of || r->error[q] > of->asked) printf(", asked %.2g", of->asked);
-    printf("%s%s\n", of->light && of->unit[0] == 'W' ? "" : " (in its unit)",
-           of->withheld ? ", of solved points alone" : "");
+    bool relative = of->light && of->unit[0] == 'W';
+    double scale = relative ? 100.0 : 1.0;
+    const char *unit = relative ? "%" : strcmp(of->unit, "1") == 0 ? "" : of->unit;
+    printf("  %-28s error at most %.2g %s", of->name, scale * r->error[q], unit);
+    if (short_of || r->error[q] > of->asked) printf(", asked %.2g %s", scale * of->asked, unit);
+    printf("%s\n", of->withheld ? ", of solved points alone" : "");
   }
   printf("results in %s\n", folder);
 }

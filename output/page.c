@@ -192,15 +192,12 @@ enum um_status um_output_write_page(struct um_context *context, const struct um_
 {
   enum um_status status;
   struct um_output_page p = {.context = context, .run = run, .folder = um_core_folder_path(folder)};
-  char *program = NULL;
-  UM_CHECK(um_core_asprintf(context, &program, "umbra %s", run->version));
-  const struct um_page_head head = {program, run->command, "run", run->model->scenario->name};
+  const struct um_page_head head = {run->command, "run", run->model->scenario->name};
   UM_CHECK(um_page_create(context, &head, &p.page));
   UM_CHECK(sections(&p));
   UM_CHECK(um_page_write_report(context, p.page, folder));
 done:
   um_page_destroy(context, &p.page);
   um_core_arena_release(context, &p.memory);
-  um_core_free(context, program);
   return status;
 }

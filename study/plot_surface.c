@@ -22,6 +22,9 @@ struct surface {
   const struct um_study_quantity *quantity;
   size_t x, y;        /* parameters */
   size_t first, last; /* rows of surface.csv */
+  bool grid;          /* [GRID of y][GRID of x]; else a row a point */
+  size_t count;
+  double *row; /* [count][3] x, y and mean */
 };
 
 /* The two parameters with the largest shares, the first the larger; false: there are no two. */
@@ -45,22 +48,28 @@ static bool rulers(const struct um_study_result *r, const struct um_study_statis
   return r->nparameter > 1;
 }
 
-static void put_row(FILE *file, const struct um_study_result *r, const struct surface *s, double x,
-                    double y, double value)
+static void put_row(struct surface *s, double x, double y, double value)
 {
-  um_core_csv_put(file, s->quantity->name, "");
-  um_core_csv_put_text(file, r->parameter_name[s->x], "");
-  um_core_csv_put_text(file, r->parameter_name[s->y], "");
-  um_core_csv_put_exact(file, x);
-  um_core_csv_put_exact(file, y);
-  um_core_csv_put_exact(file, value);
-  fputs("\n", file);
+  double *row = s->row + 3 * s->count++;
+  row[0] = x;
+  row[1] = y;
+  row[2] = value;
+}
+
+static void write_rows(FILE *file, const struct um_study_result *r, const struct surface *s)
+{
+  for (size_t i = 0; i < s->count; i++) {
+    um_core_csv_put(file, s->quantity->name, "");
+    um_core_csv_put_text(file, r->parameter_name[s->x], "");
+    um_core_csv_put_text(file, r->parameter_name[s->y], "");
+    for (size_t k = 0; k < 3; k++) um_core_csv_put_exact(file, s->row[3 * i + k]);
+    fputs("\n", file);
+  }
 }
 
 /* Rows of one line of the grid. value [GRID][nvalue]. */
 static enum um_status grid_line(struct um_context *context, const struct um_study_result *r,
-                                const struct surface *s, size_t j, double *place, double *value,
-                                FILE *file)
+                                struct surface *s, size_t j, double *place, double *value)
 {
   const struct um_uncertainty_distribution *law = r->distribution;
   double least[2], largest[2], at[2][GRID];
@@ -79,7 +88,7 @@ static enum um_status grid_line(struct um_context *context, const struct um_stud
   }
   UM_TRY(um_uncertainty_surrogate_at(context, r->surrogate, place, GRID, value));
   for (size_t i = 0; i < GRID; i++)
-    put_row(file, r, s, at[0][i], at[1][i],
+    put_row(s, at[0][i], at[1][i],
             um_study_statistic_of(s->quantity,
                                   value + i * um_uncertainty_surrogate_values(r->surrogate) +
                                       s->quantity->first,
@@ -88,28 +97,25 @@ static enum um_status grid_line(struct um_context *context, const struct um_stud
 }
 
 static enum um_status on_grid(struct um_context *context, const struct um_study_result *r,
-                              struct surface *s, FILE *file)
+                              struct surface *s)
 {
   enum um_status status;
   double *place = NULL, *value = NULL;
   UM_CHECK(um_core_allocate(context, GRID, r->nparameter * sizeof *place, &place));
   UM_CHECK(um_core_allocate(context, GRID,
                             um_uncertainty_surrogate_values(r->surrogate) * sizeof *value, &value));
-  for (size_t j = 0; j < GRID; j++) UM_CHECK(grid_line(context, r, s, j, place, value, file));
-  s->last = s->first + (size_t)GRID * GRID - 1;
+  for (size_t j = 0; j < GRID; j++) UM_CHECK(grid_line(context, r, s, j, place, value));
 done:
   UM_FREE(context, place, value);
   return status;
 }
 
-static void at_points(const struct um_study_result *r, struct surface *s, FILE *file)
+static void at_points(const struct um_study_result *r, struct surface *s)
 {
   for (size_t i = 0; i < r->npoint; i++)
-    put_row(file, r, s, r->parameter[i * r->nparameter + s->x],
-            r->parameter[i * r->nparameter + s->y],
+    put_row(s, r->parameter[i * r->nparameter + s->x], r->parameter[i * r->nparameter + s->y],
             um_study_statistic_of(s->quantity, um_study_result_values(r, i, s->quantity),
                                   UM_STUDY_MEAN));
-  s->last = s->first + r->npoint - 1;
 }
 
 static void axes(struct um_plot *plot, const struct um_study_result *r, const struct surface *s)
@@ -169,25 +175,30 @@ static void picture(struct um_plot *plot, const struct um_study_result *r, const
   um_plot_add(plot, "\n");
 }
 
-static enum um_status write(struct um_context *context, const struct um_study_result *r,
-                            const struct um_study_statistics *l, struct surface *s, size_t *n,
-                            FILE *file)
+/* The surfaces of a study, of its arena: *out [*n]; none where nobody knows who rules. */
+static enum um_status find(struct um_context *context, const struct um_study_result *r,
+                           const struct um_study_statistics *l, struct um_core_arena *memory,
+                           struct surface **out, size_t *n)
 {
   size_t row = 1, x = 0, y = 0;
-  bool any_light = false;
+  bool any_light = false, grid = r->surrogate != NULL && r->distribution != NULL;
+  *n = 0;
+  UM_TRY(um_core_arena_allocate(context, memory, r->nquantity, sizeof **out, out));
+  if (l->over_curve == NULL || r->nparameter < 2) return UM_OK;
   for (size_t q = 0; q < r->nquantity; q++)
     any_light = any_light || (r->quantity[q].light && um_study_is_curve(r, &r->quantity[q]));
-  fputs("quantity,x_parameter,y_parameter,x,y,mean\n", file);
-  *n = 0;
   for (size_t q = 0; q < r->nquantity; q++) {
     const struct um_study_quantity *of = &r->quantity[q];
     if (!um_study_is_curve(r, of) || of->light != any_light || !rulers(r, l, q, &x, &y)) continue;
-    struct surface *at = &s[(*n)++];
-    *at = (struct surface){.quantity = of, .x = x, .y = y, .first = row};
-    if (r->surrogate != NULL && r->distribution != NULL)
-      UM_TRY(on_grid(context, r, at, file));
+    struct surface *at = &(*out)[(*n)++];
+    *at = (struct surface){.quantity = of, .x = x, .y = y, .first = row, .grid = grid};
+    UM_TRY(um_core_arena_allocate(context, memory, 3 * (grid ? (size_t)GRID * GRID : r->npoint),
+                                  sizeof *at->row, &at->row));
+    if (grid)
+      UM_TRY(on_grid(context, r, at));
     else
-      at_points(r, at, file);
+      at_points(r, at);
+    at->last = at->first + at->count - 1;
     row = at->last + 1;
   }
   return UM_OK;
@@ -199,16 +210,17 @@ enum um_status um_study_plot_surfaces(struct um_context *context, struct um_plot
                                       struct um_core_folder *folder)
 {
   enum um_status status;
-  struct surface *s = NULL;
+  struct um_core_arena memory = {0};
+  struct surface *s;
   size_t n = 0;
   FILE *file = NULL;
-  if (statistics->over_curve == NULL || result->nparameter < 2) return UM_OK;
-  UM_TRY(um_core_allocate(context, result->nquantity, sizeof *s, &s));
+  UM_CHECK(find(context, result, statistics, &memory, &s, &n));
+  if (statistics->over_curve == NULL || result->nparameter < 2) goto done;
   UM_CHECK(um_core_folder_open(context, folder, "surface.csv", &file));
-  status = write(context, result, statistics, s, &n, file);
-  enum um_status closed = um_core_file_close(context, "surface.csv", &file);
-  if (status == UM_OK) status = closed;
-  for (size_t i = 0; i < n && status == UM_OK; i++) {
+  fputs("quantity,x_parameter,y_parameter,x,y,mean\n", file);
+  for (size_t i = 0; i < n; i++) write_rows(file, result, &s[i]);
+  UM_CHECK(um_core_file_close(context, "surface.csv", &file));
+  for (size_t i = 0; i < n; i++) {
     double largest = 0.0;
     size_t q = (size_t)(s[i].quantity - result->quantity);
     for (size_t k = 0; k < result->quantity[q].count; k++) {
@@ -218,6 +230,51 @@ enum um_status um_study_plot_surfaces(struct um_context *context, struct um_plot
     picture(plot, result, &s[i], 0.5 * largest);
   }
 done:
-  um_core_free(context, s);
+  um_core_arena_release(context, &memory);
   return status;
+}
+
+/* A grid as a map; places of its axes are those of its first row and column. */
+static enum um_status put_map(struct um_context *context, const struct um_study_result *r,
+                              const struct surface *s, size_t index, struct um_core_arena *memory,
+                              struct um_page *page)
+{
+  double *x, *y, *z;
+  char id[40], title[300];
+  const char *unit[2] = {r->parameter_unit[s->x], r->parameter_unit[s->y]};
+  UM_TRY(um_core_arena_allocate(context, memory, GRID, sizeof *x, &x));
+  UM_TRY(um_core_arena_allocate(context, memory, GRID, sizeof *y, &y));
+  UM_TRY(um_core_arena_allocate(context, memory, s->count, sizeof *z, &z));
+  for (size_t i = 0; i < GRID; i++) {
+    x[i] = s->row[3 * i];
+    y[i] = s->row[3 * i * GRID + 1];
+  }
+  for (size_t i = 0; i < s->count; i++) z[i] = s->row[3 * i + 2];
+  snprintf(id, sizeof id, "surface-%zu", index + 1);
+  snprintf(title, sizeof title, "Mean of %.200s over time", s->quantity->name);
+  const struct um_page_figure figure = {
+      .id = id,
+      .title = title,
+      .text = r->nparameter > 2 ? "Other parameters stand at their medians." : NULL};
+  const struct um_page_axis across = {r->parameter_name[s->x], unit[0][0] != '\0' ? unit[0] : "1",
+                                      UM_PAGE_LINEAR, x, GRID};
+  const struct um_page_axis up = {r->parameter_name[s->y], unit[1][0] != '\0' ? unit[1] : "1",
+                                  UM_PAGE_LINEAR, y, GRID};
+  um_page_map(page, &figure, &across, &up, s->quantity->name, s->quantity->unit, z, false);
+  return UM_OK;
+}
+
+enum um_status um_study_page_surfaces(struct um_context *context,
+                                      const struct um_study_result *result,
+                                      const struct um_study_statistics *statistics,
+                                      struct um_core_arena *memory, struct um_page *page)
+{
+  struct surface *s;
+  size_t n = 0;
+  UM_TRY(find(context, result, statistics, memory, &s, &n));
+  if (n == 0 || !s[0].grid) return UM_OK; /* points alone are shown one by one */
+  um_page_section(page, "surfaces", "How do the two strongest parameters act together?",
+                  UM_PAGE_PLAIN);
+  for (size_t i = 0; i < n; i++) UM_TRY(put_map(context, result, &s[i], i, memory, page));
+  return UM_OK;
 }

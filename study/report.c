@@ -5,6 +5,7 @@
 
 #include "base/core/csv.h"
 #include "orbit/time.h"
+#include "study/page.h"
 #include "study/per_point.h"
 #include "study/rule.h"
 #include "study/shortfall.h"
@@ -226,5 +227,6 @@ enum um_status um_study_report_write(struct um_context *context,
     UM_TRY(end(context, "limits.csv", um_study_limits_write(context, result, file, NULL), &file));
   }
   UM_TRY(um_core_folder_open(context, folder, "table.md", &file));
-  return end(context, "table.md", table(context, result, statistics, file), &file);
+  UM_TRY(end(context, "table.md", table(context, result, statistics, file), &file));
+  return um_study_write_page(context, result, statistics, folder);
 }

@@ -9,8 +9,8 @@
 
 /* Into a folder that is being written: summary.csv (spread of every quantity over the points),
  * curves.csv (quantiles of the curves), indices.csv (indices over time), limits.csv (where there
- * are limits), table.md (a table for a paper). docs/files.md says the columns. UM_ERR_IO,
- * UM_ERR_MEMORY. */
+ * are limits), table.md (a table for a paper), report.html (study/page.h). docs/files.md says the
+ * columns. UM_ERR_IO, UM_ERR_MEMORY. */
 enum um_status um_study_report_write(struct um_context *context,
                                      const struct um_study_result *result,
                                      const struct um_study_statistics *statistics,

@@ -89,7 +89,7 @@ UM_PRINTF(3, 4) static void say(struct um_context *context, struct text *t, cons
   t->at[t->used] = '\0';
 }
 
-/* ": a rules 3.1 of 10 minutes (0 to 2, 5 to 6.1; 80 % of the variance there)" of one parameter, of
+/* "a causes 80 % of the variance in 3.1 of 10 minutes (0 to 2, 5 to 6.1)" of one parameter, of
  * none, or of what is withheld. */
 static void say_stretches(struct um_context *context, const struct um_study_result *r,
                           const struct um_study_stretch *s, size_t n, size_t parameter,
@@ -107,17 +107,17 @@ static void say_stretches(struct um_context *context, const struct um_study_resu
     count++;
   }
   if (count == 0) return;
-  say(context, t, "%s%s %s %.3g of %.3g %s", t->used > 0 ? "; " : "",
-      quiet  ? "nothing"
-      : none ? "shares of parameters"
-             : r->parameter_name[parameter],
-      quiet  ? "varies it in"
-      : none ? "are withheld in"
-             : "rules",
-      length, whole, axis.word);
+  const char *comma = t->used > 0 ? "; " : "";
+  if (!none)
+    say(context, t, "%s%s causes %.0f %% of the variance", comma, r->parameter_name[parameter],
+        length > 0.0 ? 100.0 * share / length : 0.0);
+  else
+    say(context, t, "%s%s", comma,
+        quiet ? "nothing varies it" : "shares of parameters are withheld");
   if (length > (1.0 - SHORT) * whole) {
-    listed = count;
+    say(context, t, " at every instant");
   } else {
+    say(context, t, " in %.3g of %.3g %s", length, whole, axis.word);
     for (size_t i = 0; i < n && listed < LISTED; i++) {
       if (s[i].parameter != parameter) continue;
       say(context, t, "%s%.3g to %.3g", listed++ == 0 ? " (" : ", ",
@@ -125,8 +125,6 @@ static void say_stretches(struct um_context *context, const struct um_study_resu
     }
     say(context, t, count > listed ? ", and %zu more)" : ")", count - listed);
   }
-  if (!none && length > 0.0)
-    say(context, t, " with %.0f %% of the variance there", 100.0 * share / length);
 }
 
 static void say_value(struct um_context *context, const struct um_study_result *r,

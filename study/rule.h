@@ -23,8 +23,8 @@ enum um_status um_study_stretches(struct um_context *context, const struct um_st
                                   const struct um_study_quantity *quantity,
                                   struct um_study_stretch **out, size_t *n);
 
-/* One sentence of a curve, "lwir: power_W of bus rules 8.2 of 10.4 minutes (0 to 5.1, 7.3 to 10.4),
- * .." or of a single value. The caller frees. UM_ERR_MEMORY. */
+/* One sentence of a curve, "lwir: power_W of bus causes 98 % of the variance in 8.2 of 10.4 minutes
+ * (0 to 5.1, 7.3 to 10.4); .." or of a single value. The caller frees. UM_ERR_MEMORY. */
 enum um_status um_study_sentence(struct um_context *context, const struct um_study_result *result,
                                  const struct um_study_statistics *statistics,
                                  const struct um_study_quantity *quantity, char **out);

@@ -210,13 +210,13 @@ const char *um_study_indices_words(enum um_study_indices indices)
 {
   switch (indices) {
   case UM_STUDY_INDICES_SURROGATE:
-    return "Sobol indices of first order, closed form of the surrogate";
+    return "from Sobol indices of first order, in closed form of the surrogate";
   case UM_STUDY_INDICES_SAMPLED:
-    return "Sobol indices of first order, sampled";
+    return "from sampled Sobol indices of first order";
   case UM_STUDY_INDICES_MORRIS:
-    return "squares of elementary effects, as shares of their sum";
+    return "from squared elementary effects, as shares of their sum";
   case UM_STUDY_INDICES_RANKS:
-    return "squares of rank correlations";
+    return "from squared rank correlations";
   case UM_STUDY_INDICES_NONE:
     break;
   }

@@ -34,7 +34,6 @@ enum um_status um_page_create(struct um_context *context, const struct um_page_h
   enum um_status status;
   struct um_page *page = NULL;
   UM_CHECK(um_core_allocate(context, 1, sizeof *page, &page));
-  UM_CHECK(um_core_strdup(context, head->program, &page->program));
   UM_CHECK(um_core_strdup(context, head->command, &page->command));
   UM_CHECK(um_core_strdup(context, head->kind, &page->kind));
   UM_CHECK(um_core_strdup(context, head->title, &page->title));
@@ -55,7 +54,7 @@ void um_page_destroy(struct um_context *context, struct um_page **page)
     if (texts[i]->file != NULL) (void)fclose(texts[i]->file);
     free(texts[i]->text);
   }
-  UM_FREE(context, p->program, p->command, p->kind, p->title, p);
+  UM_FREE(context, p->command, p->kind, p->title, p);
   *page = NULL;
 }
 
@@ -180,7 +179,7 @@ static void put_document(const struct um_page *page, FILE *file)
   head.file = open_memstream(&head.text, &head.length);
   if (head.file != NULL) {
     fputs("{\"format\": \"umbra page\", \"version\": 1", head.file);
-    um_page_key(head.file, "program", page->program);
+    um_page_key(head.file, "program", UM_PAGE_PROGRAM);
     um_page_key(head.file, "command", page->command);
     um_page_key(head.file, "kind", page->kind);
     um_page_key(head.file, "title", page->title);
@@ -240,15 +239,14 @@ static void put_plain(const struct um_page *page, FILE *file)
   fputs("</h1>\n", file);
   fwrite(page->plain_lead.text, 1, page->plain_lead.length, file);
   if (um_page_has_viewer()) {
-    fputs("<p>The figures of this page need scripts, which this browser does not run.</p>\n",
-          file);
+    fputs("<p>The figures of this page need scripts, which this browser does not run.</p>\n", file);
   } else {
     fputs("<table>\n", file);
     fwrite(page->plain_facts.text, 1, page->plain_facts.length, file);
     fputs("</table>\n", file);
     fwrite(page->plain.text, 1, page->plain.length, file);
     fputs("<p>", file);
-    um_page_plain_text(file, page->program);
+    um_page_plain_text(file, UM_PAGE_PROGRAM);
     fputs(": ", file);
     um_page_plain_text(file, page->command);
     fputs("</p>\n", file);

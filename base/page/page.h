@@ -19,8 +19,8 @@
 struct um_page;
 
 struct um_page_head {
-  const char *program, *command; /* "umbra 0.4.0"; as typed */
-  const char *kind, *title;      /* "run"; of the page */
+  const char *command;      /* as typed */
+  const char *kind, *title; /* "run"; of the page */
 };
 /* The caller destroys. UM_ERR_MEMORY. */
 enum um_status um_page_create(struct um_context *context, const struct um_page_head *head,

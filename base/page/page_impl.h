@@ -13,7 +13,7 @@ struct um_page_text {
 enum um_page_state { UM_PAGE_NO_SECTION, UM_PAGE_TEXTS, UM_PAGE_FIGURES };
 
 struct um_page {
-  char *program, *command, *kind, *title;
+  char *command, *kind, *title;
   struct um_page_text lead, facts, sections, scene, arrays; /* JSON */
   struct um_page_text numbers;                              /* bytes */
   struct um_page_text plain_lead, plain_facts, plain;       /* HTML, where there is no viewer */

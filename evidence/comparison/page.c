@@ -283,22 +283,20 @@ static enum um_status sections(struct work *w)
 
 enum um_status um_compare_write_page(struct um_context *context,
                                      const struct um_compare_comparison *comparison,
-                                     const char *command, const char *version,
-                                     struct um_core_folder *folder)
+                                     const char *command, struct um_core_folder *folder)
 {
   enum um_status status;
   struct work w = {.context = context, .c = comparison};
-  char *program = NULL, *title = NULL;
-  UM_CHECK(um_core_asprintf(context, &program, "umbra %s", version));
+  char *title = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s beside measurements",
                             comparison->run.model->scenario->name));
-  const struct um_page_head head = {program, command, "comparison", title};
+  const struct um_page_head head = {command, "comparison", title};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));
 done:
   um_page_destroy(context, &w.page);
   um_core_arena_release(context, &w.memory);
-  UM_FREE(context, program, title);
+  um_core_free(context, title);
   return status;
 }

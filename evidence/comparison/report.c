@@ -184,5 +184,5 @@ enum um_status um_compare_write(struct um_context *context,
   write_residuals(comparison, file);
   UM_TRY(um_core_file_close(context, "residuals.csv", &file));
   if (pictures) UM_TRY(um_compare_plot(context, comparison, um_core_folder_path(folder)));
-  return um_compare_write_page(context, comparison, command, version, folder);
+  return um_compare_write_page(context, comparison, command, folder);
 }

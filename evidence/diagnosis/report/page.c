@@ -347,22 +347,20 @@ static enum um_status sections(struct work *w)
 
 enum um_status um_diagnosis_report_write_page(struct um_context *context,
                                               const struct um_diagnosis *diagnosis,
-                                              const char *command, const char *version,
-                                              struct um_core_folder *folder)
+                                              const char *command, struct um_core_folder *folder)
 {
   enum um_status status;
   struct work w = {.context = context, .d = diagnosis};
-  char *program = NULL, *title = NULL;
-  UM_CHECK(um_core_asprintf(context, &program, "umbra %s", version));
+  char *title = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s: what the model lacks",
                             diagnosis->forward->model->scenario->name));
-  const struct um_page_head head = {program, command, "diagnosis", title};
+  const struct um_page_head head = {command, "diagnosis", title};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));
 done:
   um_page_destroy(context, &w.page);
   um_core_arena_release(context, &w.memory);
-  UM_FREE(context, program, title);
+  um_core_free(context, title);
   return status;
 }

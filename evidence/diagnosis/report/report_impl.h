@@ -78,8 +78,7 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
 /* report.html into a folder in the making. UM_ERR_IO, UM_ERR_MEMORY. */
 enum um_status um_diagnosis_report_write_page(struct um_context *context,
                                               const struct um_diagnosis *diagnosis,
-                                              const char *command, const char *version,
-                                              struct um_core_folder *folder);
+                                              const char *command, struct um_core_folder *folder);
 
 /* improved/scenario.yaml into the folder at `path`. */
 enum um_status um_diagnosis_report_improved_write(struct um_context *context,

@@ -165,5 +165,5 @@ enum um_status um_diagnosis_report_write(struct um_context *context,
   UM_TRY(um_diagnosis_report_improved_write(context, diagnosis, command, version,
                                             um_core_folder_path(folder)));
   if (pictures) UM_TRY(um_diagnosis_report_plot(context, diagnosis, um_core_folder_path(folder)));
-  return um_diagnosis_report_write_page(context, diagnosis, command, version, folder);
+  return um_diagnosis_report_write_page(context, diagnosis, command, folder);
 }

@@ -198,17 +198,16 @@ enum um_status um_sensitivity_report_write_page(struct um_context *context,
 {
   enum um_status status;
   struct work w = {.context = context, .m = report->matrix};
-  char *program = NULL, *title = NULL;
-  UM_CHECK(um_core_asprintf(context, &program, "umbra %s", report->version));
+  char *title = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s: what moves it",
                             report->matrix->forward->model->scenario->name));
-  const struct um_page_head head = {program, report->command, "sensitivity", title};
+  const struct um_page_head head = {report->command, "sensitivity", title};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));
 done:
   um_page_destroy(context, &w.page);
   um_core_arena_release(context, &w.memory);
-  UM_FREE(context, program, title);
+  um_core_free(context, title);
   return status;
 }
