@@ -7,6 +7,7 @@
 #include "model/build/build.h"
 #include "model/build/timeline.h"
 #include "orbit/time.h"
+#include "output/page_scene.h"
 
 static double altitude_km(const struct um_model *model, const struct um_environment_sample *s)
 {
@@ -34,21 +35,13 @@ static void print_parts(const struct um_model *model)
   }
 }
 
-static double material_area(const struct um_model *model, size_t material)
-{
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
-  double area = 0.0;
-  for (size_t s = 0; s < mesh->nsurface; s++)
-    if (mesh->surface[s].material == material) area += mesh->area[mesh->surface[s].facet];
-  return area;
-}
-
 static void print_materials(const struct um_model *model)
 {
   const struct um_geometry *g = model->geometry;
   printf("\n%-26s %11s %10s %10s\n", "material", "area m2", "solar abs.", "emittance");
   for (size_t m = 0; m < um_geometry_material_count(g); m++) {
-    printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m), material_area(model, m),
+    printf("%-26s %11.4f %10.3f %10.3f\n", um_geometry_material_name(g, m),
+           um_geometry_material_area(model->geometry, m),
            um_materials_solar_absorptance(model->material[m], NULL),
            um_materials_emittance(model->material[m], NULL, UM_REFERENCE_TEMPERATURE));
   }
@@ -75,7 +68,7 @@ static void json_materials(const struct um_model *model)
   for (size_t m = 0; m < um_geometry_material_count(model->geometry); m++) {
     um_core_json_text(stdout, m > 0 ? ",\n    {" : "\n    {", "name",
                       um_geometry_material_name(model->geometry, m));
-    um_core_json_field(stdout, ", ", "area_m2", material_area(model, m));
+    um_core_json_field(stdout, ", ", "area_m2", um_geometry_material_area(model->geometry, m));
     um_core_json_field(stdout, ", ", "solar_absorptance",
                        um_materials_solar_absorptance(model->material[m], NULL));
     um_core_json_field(stdout, ", ", "emittance",
@@ -108,11 +101,29 @@ static void print_json(const struct um_model *model, const struct um_environment
   printf("]}\n");
 }
 
+/* A page of the satellite, before anything is solved. */
+static enum um_status write_view(struct um_context *context, const struct um_app_options *options,
+                                 const struct um_model *model, char **out)
+{
+  enum um_status status;
+  struct um_core_folder *folder = NULL;
+  char *name = NULL;
+  UM_CHECK(um_core_asprintf(context, &name, "%s-view", model->scenario->name));
+  UM_CHECK(um_app_out_folder(context, options, name, out));
+  UM_CHECK(um_core_folder_begin(context, *out, options->force, &folder));
+  UM_CHECK(um_output_write_view(context, model, options->command, folder));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+done:
+  um_core_folder_abort(&folder);
+  um_core_free(context, name);
+  return status;
+}
+
 int um_app_check(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_model *model = NULL;
-  char start[32], stop[32];
+  char start[32], stop[32], *view = NULL;
   struct um_model_options changes = um_app_model_options(options);
   UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
   const struct um_scenario_time *time = model->scenario->time;
@@ -120,6 +131,7 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
   if (!model->points) UM_CHECK(um_model_sample_at(context, model, time->start, &s));
   um_orbit_time_format(time->start, start);
   um_orbit_time_format(time->stop, stop);
+  if (options->view) UM_CHECK(write_view(context, options, model, &view));
   if (options->json) {
     print_json(model, model->points ? NULL : &s, start, stop);
     goto done;
@@ -138,7 +150,9 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
   printf("\n%zu surfaces, %zu heat nodes, %zu tetrahedra, %zu bands\n",
          um_geometry_mesh(model->geometry)->nsurface,
          um_thermal_network_nodes(model->body->network), model->body->ntetrahedron, model->nband);
+  if (view != NULL) printf("to look at: %s/" UM_PAGE_FILE "\n", view);
 done:
+  um_core_free(context, view);
   um_model_destroy(context, &model);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

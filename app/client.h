@@ -78,6 +78,7 @@ struct um_app_options {
   int solutions;                  /* --solutions */
   bool study_check;               /* of study: --check */
   const char *measured;           /* of study: --measured FILE */
+  bool view;                      /* of check: --view */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
   /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */

@@ -184,6 +184,10 @@ static const struct um_app_option table[] = {
          "is left of each parameter."},
     {"force", "force", .takes = UM_APP_FLAG, AT(force),
      .help = "Replace what stands there, even if Umbra did not write it."},
+    {"view", "view", .takes = UM_APP_FLAG, AT(view),
+     .help =
+         "Write a page that shows the satellite in three dimensions, before anything is solved: "
+         "report.html in DIR."},
     {"no-plots", "no-plots", .takes = UM_APP_FLAG, AT(no_plots), .help = "Draw no pictures."},
     {"from-brdf", "from-brdf", "FILE", .takes = UM_APP_TEXT, AT(from_brdf), .offers = UM_APP_FILES,
      .example = "--from-brdf measured.csv",

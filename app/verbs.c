@@ -29,9 +29,12 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
      .run = um_app_exchange},
     {"check", "SCENARIO", "read a scenario and report what was understood",
-     .accepts = CHANGES " json",
-     .about = "Parts, areas, watertightness, materials and nodes; nothing is computed or written.",
-     .examples = "umbra check scenarios/cube\n", .run = um_app_check},
+     .accepts = CHANGES " view out force json",
+     .about =
+         "Parts, areas, watertightness, materials and nodes; nothing is solved. --view writes a "
+         "page that shows the satellite.",
+     .examples = "umbra check scenarios/cube\numbra check scenarios/envisat-graz-2016 --view\n",
+     .run = um_app_check},
     {"passes", "SCENARIO", "when the satellite rises over the station, and what is sunlit",
      .accepts = "set effect-file allow-effects json",
      .about =

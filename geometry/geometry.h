@@ -149,5 +149,7 @@ struct um_geometry_report {
   double sharpest_angle; /* smallest facet angle [rad] */
 };
 struct um_geometry_report um_geometry_report(const struct um_geometry *geometry, size_t part);
+/* Area of all surfaces of a material [m^2]. */
+double um_geometry_material_area(const struct um_geometry *geometry, size_t material);
 
 #endif

@@ -54,3 +54,12 @@ struct um_geometry_report um_geometry_report(const struct um_geometry *geometry,
 {
   return geometry->part[part].report;
 }
+
+double um_geometry_material_area(const struct um_geometry *geometry, size_t material)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(geometry);
+  double area = 0.0;
+  for (size_t s = 0; s < mesh->nsurface; s++)
+    if (mesh->surface[s].material == material) area += mesh->area[mesh->surface[s].facet];
+  return area;
+}

@@ -1,32 +1,30 @@
-/* The satellite in three dimensions on the page of a run: how warm and how bright its surfaces are,
- * and where Sun, Earth and observer stand. */
+/* The satellite in three dimensions on a page: its surfaces, where Sun, Earth and observer stand,
+ * and of a run how warm and how bright it is. */
 #include <math.h>
 #include <string.h>
 
+#include "base/core/constants.h"
 #include "model/products/picture.h"
 #include "orbit/time.h"
 #include "output/page_impl.h"
+#include "output/page_scene.h"
 
 #define INSTANTS 60      /* at most */
 #define NUMBERS  1500000 /* of a quantity, at most: surfaces times instants */
 
 struct scene {
-  struct um_output_page *p;
+  struct um_context *context;
+  const struct um_model *model;
+  struct um_core_arena *memory; /* of everything below */
   struct um_page_scene page;
-  size_t *observation; /* [ntime] */
+  const struct um_environment_sample *sample; /* [ntime] */
   double *direction[5];
 };
 enum { OBSERVER, SUN, NADIR, VELOCITY, UP };
 
 static enum um_status numbers(struct scene *s, size_t count, double **out)
 {
-  return um_core_arena_allocate(s->p->context, &s->p->memory, count, sizeof **out, out);
-}
-
-static const struct um_environment_sample *sample_of(const struct scene *s, size_t i)
-{
-  const struct um_model_tables *tables = s->p->run->tables;
-  return &tables->sample[s->observation[i] * tables->nsub + tables->nsub / 2];
+  return um_core_arena_allocate(s->context, s->memory, count, sizeof **out, out);
 }
 
 static void put(double *out, struct um_vec3 v)
@@ -36,35 +34,17 @@ static void put(double *out, struct um_vec3 v)
   out[2] = v.z;
 }
 
-/* Even instants from the first to the last. */
-static enum um_status choose(struct scene *s)
-{
-  const struct um_model_result *r = s->p->run->result;
-  size_t n = r->nobs < INSTANTS ? r->nobs : INSTANTS;
-  if (n > 1 && n * r->nsurface > NUMBERS) n = NUMBERS / r->nsurface > 1 ? NUMBERS / r->nsurface : 1;
-  double *time;
-  s->page.ntime = n;
-  UM_TRY(um_core_arena_allocate(s->p->context, &s->p->memory, n, sizeof *s->observation,
-                                &s->observation));
-  UM_TRY(numbers(s, n, &time));
-  for (size_t i = 0; i < n; i++) {
-    s->observation[i] = n > 1 ? i * (r->nobs - 1) / (n - 1) : 0;
-    time[i] = um_orbit_time_unix(s->p->run->tables->t_obs[s->observation[i]]);
-  }
-  s->page.time = time;
-  return UM_OK;
-}
-
 static enum um_status directions(struct scene *s)
 {
-  bool seen = s->p->run->model->has_observer, orbits = true;
+  bool orbits = true, seen = true;
   double *sunlit;
   UM_TRY(numbers(s, s->page.ntime, &sunlit));
   for (int d = 0; d < 5; d++) UM_TRY(numbers(s, 3 * s->page.ntime, &s->direction[d]));
   for (size_t i = 0; i < s->page.ntime; i++) {
-    const struct um_environment_sample *now = sample_of(s, i);
+    const struct um_environment_sample *now = &s->sample[i];
     orbits = orbits && um_vec3_norm(now->r) > 0.0 && um_vec3_norm(now->v) > 0.0;
-    sunlit[i] = s->p->run->tables->sunlit[s->observation[i]];
+    seen = seen && um_vec3_norm(now->to_observer) > 0.0;
+    sunlit[i] = now->sunlit_fraction;
     put(s->direction[SUN] + 3 * i, um_quat_apply(now->q, now->sun));
     put(s->direction[OBSERVER] + 3 * i, um_quat_apply(now->q, now->to_observer));
     put(s->direction[UP] + 3 * i, um_quat_apply(now->q, um_vec3(0.0, 0.0, 1.0)));
@@ -84,15 +64,13 @@ static enum um_status directions(struct scene *s)
 
 static enum um_status names(struct scene *s)
 {
-  const struct um_geometry *geometry = s->p->run->model->geometry;
+  const struct um_geometry *geometry = s->model->geometry;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(geometry);
   size_t npart = um_geometry_part_count(geometry), nmaterial = um_geometry_material_count(geometry);
   const char **name;
   uint32_t *index;
-  UM_TRY(
-      um_core_arena_allocate(s->p->context, &s->p->memory, npart + nmaterial, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(s->p->context, &s->p->memory, 2 * mesh->nsurface, sizeof *index,
-                                &index));
+  UM_TRY(um_core_arena_allocate(s->context, s->memory, npart + nmaterial, sizeof *name, &name));
+  UM_TRY(um_core_arena_allocate(s->context, s->memory, 2 * mesh->nsurface, sizeof *index, &index));
   for (size_t i = 0; i < npart; i++) name[i] = um_geometry_part_name(geometry, i);
   for (size_t i = 0; i < nmaterial; i++) name[npart + i] = um_geometry_material_name(geometry, i);
   for (size_t i = 0; i < mesh->nsurface; i++) {
@@ -112,21 +90,21 @@ static enum um_status names(struct scene *s)
 static enum um_status pose_at(struct scene *s, size_t i, double *angle,
                               struct um_geometry_pose **out)
 {
-  const struct um_geometry *geometry = s->p->run->model->geometry;
-  const struct um_environment_sample *now = sample_of(s, i);
+  const struct um_geometry *geometry = s->model->geometry;
+  const struct um_environment_sample *now = &s->sample[i];
   um_geometry_joint_angles(geometry, um_quat_apply(now->q, now->sun), angle);
-  return um_geometry_pose_create(s->p->context, geometry, angle, out);
+  return um_geometry_pose_create(s->context, geometry, angle, out);
 }
 
 /* Triangles of both sides, as they stand at the first instant; a back is wound the other way. */
 static enum um_status mesh_of(struct scene *s, const struct um_geometry_pose *pose)
 {
-  const struct um_geometry_mesh *mesh = um_geometry_mesh(s->p->run->model->geometry);
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(s->model->geometry);
   double *vertex;
   uint32_t *corner, *of, *body;
   UM_TRY(numbers(s, 3 * mesh->nvertex, &vertex));
-  UM_TRY(um_core_arena_allocate(s->p->context, &s->p->memory, 5 * mesh->nsurface, sizeof *corner,
-                                &corner));
+  UM_TRY(
+      um_core_arena_allocate(s->context, s->memory, 5 * mesh->nsurface, sizeof *corner, &corner));
   of = corner + 3 * mesh->nsurface;
   body = of + mesh->nsurface;
   for (size_t i = 0; i < mesh->nvertex; i++) put(vertex + 3 * i, pose->vertex[i]);
@@ -159,9 +137,9 @@ static void first_vertices(const struct um_geometry_mesh *mesh, size_t *vertex)
 static enum um_status motions(struct scene *s)
 {
   enum um_status status;
-  const struct um_geometry *geometry = s->p->run->model->geometry;
+  const struct um_geometry *geometry = s->model->geometry;
   size_t npart = um_geometry_part_count(geometry);
-  struct um_context *context = s->p->context;
+  struct um_context *context = s->context;
   struct um_geometry_pose *first = NULL, *now = NULL;
   struct um_page_body *bodies;
   double *angle, *pose;
@@ -169,9 +147,9 @@ static enum um_status motions(struct scene *s)
   struct um_quat *q0, *q;
   UM_TRY(numbers(s, um_geometry_joint_count(geometry), &angle));
   UM_TRY(numbers(s, 7 * npart * s->page.ntime, &pose));
-  UM_TRY(um_core_arena_allocate(context, &s->p->memory, npart, sizeof *vertex, &vertex));
-  UM_TRY(um_core_arena_allocate(context, &s->p->memory, 2 * npart, sizeof *q0, &q0));
-  UM_TRY(um_core_arena_allocate(context, &s->p->memory, npart, sizeof *bodies, &bodies));
+  UM_TRY(um_core_arena_allocate(context, s->memory, npart, sizeof *vertex, &vertex));
+  UM_TRY(um_core_arena_allocate(context, s->memory, 2 * npart, sizeof *q0, &q0));
+  UM_TRY(um_core_arena_allocate(context, s->memory, npart, sizeof *bodies, &bodies));
   q = q0 + npart;
   first_vertices(um_geometry_mesh(geometry), vertex);
   UM_CHECK(pose_at(s, 0, angle, &first));
@@ -208,61 +186,102 @@ done:
   return status;
 }
 
-static enum um_status quantities(struct scene *s)
+enum um_status um_output_page_put_scene(struct um_context *context, const struct um_model *model,
+                                        struct um_core_arena *memory,
+                                        const struct um_output_scene *scene,
+                                        const struct um_page_figure *figure, struct um_page *page)
 {
-  struct um_context *context = s->p->context;
-  const struct um_output_run *run = s->p->run;
+  struct scene s = {.context = context, .model = model, .memory = memory};
+  s.page.ntime = scene->ntime;
+  s.page.time = scene->time;
+  s.sample = scene->sample;
+  s.page.quantity = scene->quantity;
+  s.page.nquantity = scene->nquantity;
+  UM_TRY(names(&s));
+  UM_TRY(directions(&s));
+  UM_TRY(motions(&s));
+  um_page_scene(page, figure, &s.page);
+  return UM_OK;
+}
+
+/* ---- of a run ---- */
+
+/* Even instants from the first to the last: observation[ntime]. */
+static enum um_status choose(struct um_output_page *p, struct um_output_scene *scene,
+                             size_t **observation)
+{
+  const struct um_model_result *r = p->run->result;
+  const struct um_model_tables *tables = p->run->tables;
+  size_t n = r->nobs < INSTANTS ? r->nobs : INSTANTS;
+  double *time;
+  struct um_environment_sample *sample;
+  if (n > 1 && n * r->nsurface > NUMBERS) n = NUMBERS / r->nsurface > 1 ? NUMBERS / r->nsurface : 1;
+  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof **observation, observation));
+  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof *time, &time));
+  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof *sample, &sample));
+  for (size_t i = 0; i < n; i++) {
+    size_t k = n > 1 ? i * (r->nobs - 1) / (n - 1) : 0;
+    (*observation)[i] = k;
+    time[i] = um_orbit_time_unix(tables->t_obs[k]);
+    sample[i] = tables->sample[k * tables->nsub + tables->nsub / 2];
+  }
+  *scene = (struct um_output_scene){.ntime = n, .time = time, .sample = sample};
+  return UM_OK;
+}
+
+static enum um_status quantities(struct um_output_page *p, const size_t *observation,
+                                 struct um_output_scene *scene)
+{
+  struct um_context *context = p->context;
+  const struct um_output_run *run = p->run;
   const struct um_model_result *r = run->result;
-  size_t n = r->nsurface, nband = run->model->has_observer ? r->nband : 0;
+  size_t n = r->nsurface, ntime = scene->ntime, nband = run->model->has_observer ? r->nband : 0;
   struct um_page_quantity *quantity;
   double *temperature, *radiance, *row;
-  UM_TRY(um_core_arena_allocate(context, &s->p->memory, 1 + nband, sizeof *quantity, &quantity));
-  UM_TRY(numbers(s, s->page.ntime * n, &temperature));
-  UM_TRY(numbers(s, nband * s->page.ntime * n, &radiance));
-  UM_TRY(numbers(s, nband * n, &row));
-  um_core_progress_begin(context, "how bright surfaces are", s->page.ntime);
+  UM_TRY(um_core_arena_allocate(context, &p->memory, 1 + nband, sizeof *quantity, &quantity));
+  UM_TRY(um_core_arena_allocate(context, &p->memory, ntime * n, sizeof(double), &temperature));
+  UM_TRY(um_core_arena_allocate(context, &p->memory, nband * ntime * n, sizeof(double), &radiance));
+  UM_TRY(um_core_arena_allocate(context, &p->memory, nband * n, sizeof(double), &row));
+  um_core_progress_begin(context, "how bright surfaces are", ntime);
   enum um_status status = UM_OK;
-  for (size_t i = 0; status == UM_OK && i < s->page.ntime; i++) {
-    size_t k = s->observation[i];
+  for (size_t i = 0; status == UM_OK && i < ntime; i++) {
+    size_t k = observation[i];
     memcpy(temperature + i * n, r->surface_temperature + k * n, n * sizeof *temperature);
     if (nband > 0) status = um_model_surface_radiance(context, run->model, run->tables, r, k, row);
     for (size_t b = 0; b < nband; b++)
-      memcpy(radiance + (b * s->page.ntime + i) * n, row + b * n, n * sizeof *row);
+      memcpy(radiance + (b * ntime + i) * n, row + b * n, n * sizeof *row);
     if (status == UM_OK) status = um_core_progress_step(context, 1);
   }
   um_core_progress_end(context);
   quantity[0] = (struct um_page_quantity){
       .id = "temperature", .name = "temperature", .unit = "K", .value = temperature};
   for (size_t b = 0; b < nband; b++) {
-    const char *name = run->model->band[b].name;
+    const struct um_optics_band *band = &run->model->band[b];
     quantity[1 + b] = (struct um_page_quantity){
-        .id = name,
-        .name = name,
+        .id = band->name,
+        .name = band->name,
         .unit = "W/m^2/sr",
-        .scale = run->model->band[b].to < 2.5e-6 ? UM_PAGE_LOG : UM_PAGE_LINEAR,
-        .value = radiance + b * s->page.ntime * n};
+        .scale = band->to < UM_INFRARED_FROM ? UM_PAGE_LOG : UM_PAGE_LINEAR,
+        .value = radiance + b * ntime * n};
   }
-  s->page.quantity = quantity;
-  s->page.nquantity = 1 + nband;
+  scene->quantity = quantity;
+  scene->nquantity = 1 + nband;
   return status;
 }
 
 enum um_status um_output_page_scene(struct um_output_page *p)
 {
-  struct scene s = {.p = p};
-  const struct um_page_figure figure = {
+  static const struct um_page_figure figure = {
       .id = "satellite",
       .title = "The satellite",
       .text = "Radiance is what a surface sends toward the observer; what the observer does not "
               "see has none."};
-  UM_TRY(choose(&s));
-  UM_TRY(names(&s));
-  UM_TRY(directions(&s));
-  UM_TRY(motions(&s));
-  UM_TRY(quantities(&s));
+  struct um_output_scene scene;
+  size_t *observation;
+  UM_TRY(choose(p, &scene, &observation));
+  UM_TRY(quantities(p, observation, &scene));
   um_page_section(p->page, "satellite", "How does it look, and how warm is each surface?",
                   UM_PAGE_PLAIN);
   um_output_page_picture(p, "satellite.svg");
-  um_page_scene(p->page, &figure, &s.page);
-  return UM_OK;
+  return um_output_page_put_scene(p->context, p->run->model, &p->memory, &scene, &figure, p->page);
 }
