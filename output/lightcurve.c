@@ -26,6 +26,8 @@ static const char *const tails[UM_LIGHTCURVE_COLUMNS] = {
     [UM_LIGHTCURVE_MAG_VEGA] = "_mag_vega",
     [UM_LIGHTCURVE_MAG_1000_KM] = "_mag_ab_1000km"};
 
+const char *um_output_lightcurve_tail(size_t column) { return tails[column]; }
+
 /* Behind the bands where three of them are thermal: one grey body, and from five on two. */
 static const char *const grey_columns[UM_LIGHTCURVE_GREY] = {",characteristic_temperature_K",
                                                              ",characteristic_temperature_error_K",

@@ -30,4 +30,7 @@ size_t um_output_grey_columns(const struct um_model *model);
 /* Their values; NaN where there are none, two components only where they explain more (BIC). */
 void um_output_grey_values(const struct um_model_grey_body *grey, double out[UM_LIGHTCURVE_GREY]);
 
+/* What stands behind the band's name in the header of a column. */
+const char *um_output_lightcurve_tail(size_t column);
+
 #endif

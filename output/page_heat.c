@@ -23,13 +23,18 @@ enum um_status um_output_page_temperatures(struct um_output_page *p)
   struct um_page_series *series;
   if (r->nplace == 0) return UM_OK;
   UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nplace, sizeof *series, &series));
-  for (size_t i = 0; i < r->nplace; i++)
+  for (size_t i = 0; i < r->nplace; i++) {
+    char *column;
+    UM_TRY(um_core_arena_allocate(p->context, &p->memory, 200, 1, &column));
+    snprintf(column, 200, "%.190s.mean_K", r->place[i].name);
     series[i] = (struct um_page_series){.name = r->place[i].name,
                                         .role = "model",
+                                        .column = column,
                                         .hidden = !is_shown(p->run, i),
                                         .value = r->place[i].mean,
                                         .low = r->place[i].minimum,
                                         .high = r->place[i].maximum};
+  }
   const struct um_page_panel panel = {
       .name = "temperature", .unit = "K", .series = series, .nseries = r->nplace};
   um_page_section(p->page, "temperatures", "How warm is it?", UM_PAGE_PLAIN);

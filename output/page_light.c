@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "output/lightcurve_impl.h"
 #include "output/page_impl.h"
 
 #define LOG_ABOVE 5.0 /* largest over the mean in sunlight, from where an axis is logarithmic */
@@ -29,6 +30,15 @@ static enum um_page_scale scale_of(const struct um_output_run *run, const double
   return lit > 0 && largest > LOG_ABOVE * sum / (double)lit ? UM_PAGE_LOG : UM_PAGE_LINEAR;
 }
 
+/* "vis_mag_ab", as lightcurve.csv calls it. */
+static enum um_status column_name(struct um_output_page *p, size_t band, size_t column, char **out)
+{
+  UM_TRY(um_core_arena_allocate(p->context, &p->memory, 200, 1, out));
+  snprintf(*out, 200, "%.100s%s", p->run->model->band[band].name,
+           um_output_lightcurve_tail(column));
+  return UM_OK;
+}
+
 static enum um_status heading(struct um_output_page *p, size_t band, const char *what, char **out)
 {
   const struct um_optics_band *b = &p->run->model->band[band];
@@ -54,9 +64,14 @@ static enum um_status magnitudes(struct um_output_page *p, size_t band,
     vega[k] = ab[k] - r->vega_ab[band];
     error[k] = 2.5 / M_LN10 * r->magnitude_error[at] / pow(10.0, -0.4 * ab[k]);
   }
+  char *column[2];
+  UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_AB, &column[0]));
+  UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_VEGA, &column[1]));
   UM_TRY(heading(p, band, "magnitude", &name));
-  series[0] = (struct um_page_series){.name = "AB", .role = "model", .value = ab, .error = error};
-  series[1] = (struct um_page_series){.name = "Vega", .value = vega, .hidden = true};
+  series[0] = (struct um_page_series){
+      .name = "AB", .role = "model", .column = column[0], .value = ab, .error = error};
+  series[1] =
+      (struct um_page_series){.name = "Vega", .column = column[1], .value = vega, .hidden = true};
   *panel = (struct um_page_panel){
       .name = name, .unit = "mag", .scale = UM_PAGE_MAGNITUDE, .series = series, .nseries = 2};
   return UM_OK;
@@ -74,9 +89,14 @@ static enum um_status intensities(struct um_output_page *p, size_t band,
     value[k] = um_model_result_intensity(r, k, band, -1);
     error[k] = r->standard_error[k * r->nband + band];
   }
+  char *column;
+  UM_TRY(column_name(p, band, UM_LIGHTCURVE_TOTAL, &column));
   UM_TRY(heading(p, band, "radiant intensity", &name));
-  *series = (struct um_page_series){
-      .name = p->run->model->band[band].name, .role = "model", .value = value, .error = error};
+  *series = (struct um_page_series){.name = p->run->model->band[band].name,
+                                    .role = "model",
+                                    .column = column,
+                                    .value = value,
+                                    .error = error};
   *panel = (struct um_page_panel){.name = name,
                                   .unit = "W/sr",
                                   .scale = scale_of(p->run, value),
@@ -126,7 +146,8 @@ enum um_status um_output_page_light(struct um_output_page *p)
   if (p->nshade > 0)
     um_page_text(p->page, "Shaded: the satellite is in the Earth's umbra or penumbra.");
   um_output_page_picture(p, "lightcurve.svg");
-  const struct um_page_figure figure = {.id = "light", .title = "Light curves"};
+  const struct um_page_figure figure = {
+      .id = "light", .title = "Light curves", .file = "lightcurve.csv"};
   um_page_axes(p->page, &figure, &p->time, p->shade, p->nshade, panel, npanel);
   return UM_OK;
 }

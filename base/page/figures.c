@@ -56,6 +56,7 @@ static void put_series(struct um_page *page, FILE *file, const struct um_page_se
 {
   um_core_json_text(file, "{", "name", s->name);
   um_page_key(file, "role", s->role);
+  um_page_key(file, "column", s->column);
   um_page_key(file, "mark", marks[s->mark]);
   if (s->hidden) um_core_json_bool(file, ", ", "hidden", true);
   array(page, file, "data", s->value, count);

@@ -152,6 +152,7 @@ FILE *um_page_figure_begin(struct um_page *page, const struct um_page_figure *fi
   um_page_key(file, "id", figure->id);
   um_page_key(file, "title", figure->title);
   um_page_key(file, "text", figure->text);
+  um_page_key(file, "file", figure->file);
   return file;
 }
 
@@ -212,14 +213,15 @@ static void put_head(const struct um_page *page, FILE *file)
 {
   fputs("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-        "img-src data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'",
+        "img-src data: blob:; base-uri 'none'; form-action 'none'",
         file);
   if (um_page_has_viewer())
     fprintf(file, "; script-src '%s'; style-src '%s'", um_page_viewer_js_hash,
             um_page_viewer_css_hash);
   else
     fputs("; style-src 'unsafe-inline'", file);
-  fputs("\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
+  fputs("\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<link rel=\"icon\" href=\"data:,\">\n<title>",
         file);
   um_page_plain_text(file, page->title);
   fputs("</title>\n<style>", file);
@@ -233,8 +235,7 @@ static void put_head(const struct um_page *page, FILE *file)
 /* What a page shows without script. */
 static void put_plain(const struct um_page *page, FILE *file)
 {
-  if (um_page_has_viewer()) fputs("<noscript>\n", file);
-  fputs("<main>\n<h1>", file);
+  fputs("<main id=\"umbra-static\">\n<h1>", file);
   um_page_plain_text(file, page->title);
   fputs("</h1>\n", file);
   fwrite(page->plain_lead.text, 1, page->plain_lead.length, file);
@@ -252,7 +253,6 @@ static void put_plain(const struct um_page *page, FILE *file)
     fputs("</p>\n", file);
   }
   fputs("</main>\n", file);
-  if (um_page_has_viewer()) fputs("</noscript>\n", file);
 }
 
 enum um_status um_page_write(struct um_context *context, struct um_page *page, FILE *file)

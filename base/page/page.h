@@ -51,6 +51,7 @@ void um_page_picture(struct um_page *page, const char *path);
 struct um_page_figure {
   const char *id, *title; /* id: letters, digits and '-', one of the page */
   const char *text;       /* what to see; NULL: nothing */
+  const char *file;       /* table beside the page that has the numbers; NULL: none */
 };
 
 enum um_page_scale { UM_PAGE_LINEAR, UM_PAGE_LOG, UM_PAGE_MAGNITUDE, UM_PAGE_TIME };
@@ -58,7 +59,8 @@ enum um_page_mark { UM_PAGE_LINE, UM_PAGE_POINTS, UM_PAGE_STEP, UM_PAGE_AREA };
 
 struct um_page_series {
   const char *name;
-  const char *role; /* "model", "before", "after", "measured", "part"; NULL: none */
+  const char *role;   /* "model", "before", "after", "measured", "part"; NULL: none */
+  const char *column; /* of the figure's file; NULL: none */
   enum um_page_mark mark;
   bool hidden;              /* off at first */
   const double *value;      /* [count] */
@@ -125,7 +127,8 @@ void um_page_sky(struct um_page *page, const struct um_page_figure *figure,
 
 struct um_page_slider {
   const char *name, *label, *unit;
-  double null_value, minimum, maximum, reach, width; /* reach: NaN: not known */
+  double null_value, minimum, maximum, reach,
+      width; /* reach: INFINITY: everywhere; NaN: not known */
   bool is_switch, logarithmic;
   const char *text; /* why a line does not follow it; NULL: it does */
 };

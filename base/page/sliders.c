@@ -12,7 +12,8 @@ static void put_slider(FILE *file, const struct um_page_slider *s)
   um_core_json_field(file, ", ", "null", s->null_value);
   um_core_json_field(file, ", ", "minimum", s->minimum);
   um_core_json_field(file, ", ", "maximum", s->maximum);
-  um_core_json_field(file, ", ", "reach", s->reach);
+  if (!isinf(s->reach)) /* absent: the line holds everywhere; not known: nowhere is promised */
+    um_core_json_field(file, ", ", "reach", isnan(s->reach) ? 0.0 : s->reach);
   um_core_json_field(file, ", ", "width", s->width);
   um_core_json_bool(file, ", ", "switch", s->is_switch);
   um_core_json_bool(file, ", ", "logarithmic", s->logarithmic);

@@ -61,9 +61,13 @@ static enum um_status sliders(struct work *w, const size_t *row, size_t nrow)
   for (size_t i = 0; i < nrow; i++) {
     const struct um_sensitivity_row *r = &m->row[row[i]];
     bool on = r->quality.way == UM_SENSITIVITY_BY_SWITCH;
+    char *label;
+    UM_TRY(um_core_arena_allocate(w->context, &w->memory, 300, 1, &label));
+    snprintf(label, 300, "%.100s%s%.100s", r->candidate->name, on ? "" : ", ",
+             on ? "" : r->candidate->effect->parameters[r->parameter].name);
     slider[i] = (struct um_page_slider){
         .name = r->name,
-        .label = r->candidate->effect->summary,
+        .label = label,
         .unit = r->unit,
         .null_value = r->null_value,
         .minimum = r->minimum,

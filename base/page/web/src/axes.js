@@ -13,5 +13,6 @@ export function drawAxes(figure, { array, host, clock: shared, document: doc }) 
     clock,
     columns: () => panelColumns(x, xs, panels, doc.sets),
     series: drawing.drawn,
+    plots: drawing.plots,
   };
 }

@@ -76,11 +76,13 @@ export function seriesColours(series) {
   const taken = new Map();
   return series.map((s) => {
     if (s.role === "measured") return { colour: () => colours().ink, dash: DASHES[0] };
+    if (s.role === "after") return { colour: () => colours().series[0], dash: DASHES[0] };
     if (s.role === "before") return { colour: () => colours().before, dash: DASHES[1] };
     const key = String(s.name).toLowerCase() + (s.set ? `/${s.set}` : "");
     const count = colours().series.length;
     let number = given.get(key);
-    if (number === undefined) number = [...Array(count).keys()].find((n) => !taken.has(n)) ?? taken.size;
+    // Blue and vermilion are those of the two bands, for others only where nothing else is left.
+    if (number === undefined) number = [2, 3, 4, 5, 6, 7, 0, 1].find((n) => !taken.has(n)) ?? taken.size;
     for (let tries = 0; taken.has(number) && tries < 4 * count; tries += 1) number = (number + 1) % (4 * count);
     taken.set(number, key);
     if (!given.has(key)) given.set(key, number);

@@ -26,7 +26,7 @@ export function createFigure(figure, page) {
   const tools = el("div", { class: "tools" });
   const node = el(
     "figure",
-    { class: "figure", "aria-labelledby": heading, data: { id: figure.id, kind: figure.kind } },
+    { class: "figure", "aria-labelledby": heading, data: { id: figure.id, kind: figure.kind, ...(figure.file ? { file: figure.file } : {}) } },
     el("div", { class: "figure-head" }, el("h3", { id: heading }, figure.title ?? figure.id), tools),
     figure.text ? el("p", { class: "figure-text" }, figure.text) : null,
     host,

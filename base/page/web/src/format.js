@@ -15,13 +15,20 @@ export function powerOfTen(exponent) {
 export function number(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : `${MINUS}∞`;
-  if (value === 0) return "0";
+  if (Number.isInteger(value) && Math.abs(value) < 1e7) return String(value).replace(/^-/, MINUS);
   const size = Math.floor(Math.log10(Math.abs(value)));
   if (size < -3 || size > 6) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
     return `${Number(mantissa)}×${powerOfTen(Number(exponent))}`.replace(/^-/, MINUS);
   }
   return value.toFixed(Math.max(0, digits - 1 - size)).replace(/^-/, MINUS);
+}
+
+/** A number that somebody chose, as short as its digits allow: 0.8, not 0.8000. */
+export function plain(value, digits = 4) {
+  const short = Number(value.toPrecision(digits));
+  const size = Math.abs(short);
+  return Number.isFinite(short) && (size === 0 || (size >= 1e-4 && size < 1e7)) ? String(short).replace(/^-/, MINUS) : number(value, digits);
 }
 
 /** A number with a unit behind it; "1" and "" are no unit. */

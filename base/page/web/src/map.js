@@ -16,6 +16,8 @@ function edges(places) {
   return out;
 }
 
+const short = (text) => (text.length > 20 ? `${text.slice(0, 19)}…` : text);
+
 export function drawMap(figure, { array, host, clock: shared }) {
   const { x, y, z } = figure;
   const time = x.scale === "time" || x.unit === "UTC";
@@ -41,7 +43,7 @@ export function drawMap(figure, { array, host, clock: shared }) {
 
   let row = 0;
   const value = (at) => zs[row * xs.length + nearest(xs, at)];
-  const say = (at) => `${position(at, axis)}, ${y.name} ${quantity(ys[row], y.unit)}: ${z.name} ${quantity(value(at), z.unit)}`;
+  const say = (at) => `${position(at, axis)}, ${y.name} ${y.labels?.[row] ?? quantity(ys[row], y.unit)}: ${z.name} ${quantity(value(at), z.unit)}`;
   const plot = createPlot({
     host: frame,
     clock,
@@ -53,6 +55,7 @@ export function drawMap(figure, { array, host, clock: shared }) {
     lines: [],
     label: `${figure.title}: ${z.name} over ${x.name} and ${y.name}`,
     data: () => [[ex[0], ex.at(-1)]],
+    names: y.labels ? { places: ys, texts: y.labels.map(short) } : undefined,
     yRange: () => [Math.min(ey[0], ey.at(-1)), Math.max(ey[0], ey.at(-1))],
     snap: (at) => xs[nearest(xs, at)] ?? at,
     spoken: say,

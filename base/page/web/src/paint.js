@@ -12,24 +12,39 @@ export function shadeColour(name, names) {
   return colours().shades[others.indexOf(name) % colours().shades.length];
 }
 
-/** Stretches behind everything, named at the top of the plot where there is room. */
-export function paintShades(u, shades, named) {
+/** Left and right end of a stretch on the canvas, or null where none of it is seen. */
+function seen(u, s) {
+  const { bbox } = u;
+  const left = Math.max(bbox.left, u.valToPos(s.from, "x", true));
+  const right = Math.min(bbox.left + bbox.width, u.valToPos(s.to, "x", true));
+  return right > left ? [left, right] : null;
+}
+
+/** Stretches, behind everything. */
+export function paintShades(u, shades) {
   const { ctx, bbox } = u;
   const names = [...new Set(shades.map((s) => s.name))];
+  ctx.save();
+  for (const s of shades) {
+    const place = seen(u, s);
+    if (!place) continue;
+    ctx.fillStyle = shadeColour(s.name, names);
+    ctx.fillRect(place[0], bbox.top, place[1] - place[0], bbox.height);
+  }
+  ctx.restore();
+}
+
+/** Names of stretches at the top of the plot, where there is room. */
+export function paintShadeNames(u, shades) {
+  const { ctx, bbox } = u;
   ctx.save();
   ctx.font = `${11 * dpr()}px system-ui, sans-serif`;
   ctx.textBaseline = "top";
   ctx.textAlign = "center";
+  ctx.fillStyle = colours().soft;
   for (const s of shades) {
-    const left = Math.max(bbox.left, u.valToPos(s.from, "x", true));
-    const right = Math.min(bbox.left + bbox.width, u.valToPos(s.to, "x", true));
-    if (!(right > left)) continue;
-    ctx.fillStyle = shadeColour(s.name, names);
-    ctx.fillRect(left, bbox.top, right - left, bbox.height);
-    if (named && ctx.measureText(s.name).width + 8 * dpr() < right - left) {
-      ctx.fillStyle = colours().soft;
-      ctx.fillText(s.name, (left + right) / 2, bbox.top + 6 * dpr());
-    }
+    const place = seen(u, s);
+    if (place && ctx.measureText(s.name).width + 8 * dpr() < place[1] - place[0]) ctx.fillText(s.name, (place[0] + place[1]) / 2, bbox.top + 6 * dpr());
   }
   ctx.restore();
 }

@@ -58,6 +58,12 @@ export function createPanels(o) {
   const { host, clock, x, shades } = o;
   const every = o.panels.flatMap((p) => p.series);
   const full = wholeStretch(o.xs, every);
+  if (every.length > 0 && every.every((s) => s.mark === "points") && x.scale !== "log") {
+    // Points at the ends stand free of the frame.
+    const room = 0.015 * (full[1] - full[0]);
+    full[0] -= room;
+    full[1] += room;
+  }
   const usable = o.xs && o.xs.length > 0 && every.some((s) => !s.own);
   const steps = usable ? o.xs : [...new Set(every.flatMap((s) => [...s.x]))].sort((a, b) => a - b);
   clock.offer(steps);
@@ -130,7 +136,7 @@ export function createPanels(o) {
           })
           .filter((d) => Number.isFinite(d.y) && !(log && d.y <= 0)),
       below: (u) => {
-        paint.paintShades(u, shades, index === 0);
+        paint.paintShades(u, shades);
         for (const s of visible()) {
           if (s.base) paint.paintBetween(u, s, (i) => s.base[i], (i) => s.top[i], s.colour(), 0.42);
           else if (s.mark === "area") paint.paintBetween(u, s, () => (log ? u.scales.y.min : 0), (i) => s.y[i], s.colour(), 0.3);
@@ -139,6 +145,7 @@ export function createPanels(o) {
         if (p.zero) paint.paintLevel(u, 0);
       },
       above: (u) => {
+        if (index === 0) paint.paintShadeNames(u, shades);
         for (const s of visible()) {
           if (s.mark === "points") paint.paintPoints(u, s, s.colour(), s.x.length > 400);
           else if (s.own) paint.paintLine(u, s, s.colour(), 1.9, s.dash);
@@ -162,7 +169,8 @@ export function createPanels(o) {
   show(clock.at);
 
   return {
-    panels,
+    /** uPlot's objects, for tests. */
+    plots: panels.map((p) => p.plot.uplot),
     /** Draws again after the numbers of series changed. */
     refresh() {
       for (const p of panels) {
@@ -176,7 +184,7 @@ export function createPanels(o) {
       panels.flatMap((p) =>
         p.series.map((s) => {
           const line = p.lines.indexOf(s);
-          const out = { panel: p.name, name: s.name, unit: p.unit, set: s.set, visible: s.visible, mark: s.mark, x: Array.from(s.x), y: Array.from(s.y) };
+          const out = { panel: p.name, name: s.name, unit: p.unit, set: s.set, column: s.column, visible: s.visible, mark: s.mark, x: Array.from(s.x), y: Array.from(s.y) };
           for (const key of ["error", "low", "high"]) if (s[key]) out[key] = Array.from(s[key]);
           if (line >= 0) out.drawn = Array.from(p.plot.uplot.data[line + 1]);
           return out;

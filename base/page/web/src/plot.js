@@ -7,7 +7,9 @@ import { onTheme, colours, isPrinting } from "./theme.js";
 import { tickLabels, ticks } from "./ticks.js";
 
 const LEFT = 62;
-const FONT = "11.5px system-ui, -apple-system, 'Segoe UI', Roboto, sans-serif";
+/** Room for names in place of numbers. */
+const NAMES = 130;
+const FONT = "12px system-ui, -apple-system, 'Segoe UI', Roboto, sans-serif";
 /** Width of a plot on paper, in pixels of CSS. */
 const PAPER = 660;
 
@@ -27,6 +29,7 @@ const PAPER = 660;
  * @param {(at: number) => {y: number, colour: string}[]} [o.dots] marks at the clock's place
  * @param {(at: number) => string} [o.spoken] what a screen reader says of a place
  * @param {(at: number) => number} [o.snap] from the pointer's place to the one that is meant
+ * @param {{places: ArrayLike<number>, texts: string[]}} [o.names] stand on the vertical axis in place of numbers
  * @param {string} o.label
  */
 export function createPlot(o) {
@@ -47,7 +50,7 @@ export function createPlot(o) {
     {
       width: widthOf(host),
       height: o.height,
-      padding: [8, 12, o.last ? 0 : 6, 0],
+      padding: [8, 20, o.last ? 0 : 6, 0],
       legend: { show: false },
       scales: {
         x: { time: false, auto: false, min: from, max: to, distr: o.xType === "log" ? 3 : 1 },
@@ -57,14 +60,16 @@ export function createPlot(o) {
         {
           ...axisStyle,
           size: o.last ? 28 : 6,
+          filter: every,
           splits: (v, i, min, max) => ticks(min, max, Math.max(2, v.bbox.width / devicePixelRatio / (o.xType === "time" ? 85 : 75)), o.xType),
           values: (v, marks) => (o.last ? tickLabels(marks, o.xType) : marks.map(() => "")),
         },
         {
           ...axisStyle,
-          size: LEFT,
-          splits: (v, i, min, max) => ticks(min, max, Math.max(2, v.bbox.height / devicePixelRatio / 34), o.yType),
-          values: (v, marks) => tickLabels(marks, o.yType),
+          size: o.names ? NAMES : LEFT,
+          filter: every,
+          splits: (v, i, min, max) => o.names?.places ?? ticks(min, max, Math.max(2, v.bbox.height / devicePixelRatio / 34), o.yType),
+          values: (v, marks) => o.names?.texts ?? tickLabels(marks, o.yType),
         },
       ],
       series: [
@@ -181,6 +186,9 @@ export function createPlot(o) {
     },
   };
 }
+
+/** uPlot leaves marks of a logarithmic axis out; ours are chosen already. */
+const every = (u, marks) => marks;
 
 function widthOf(host) {
   return Math.max(0, Math.floor(host.clientWidth));

@@ -58,7 +58,7 @@ export function drawScene(figure, { array, host, clock, document: doc, frame }) 
     all.map((c) => el("option", { value: c.id, selected: c === shown }, c.name)),
   );
   const box = (text, changed, checked) => el("label", { class: "check" }, el("input", { type: "checkbox", checked, on: { change: (e) => changed(e.target.checked) } }), text);
-  const instantBox = box("Colours of this instant alone", (on) => {
+  const instantBox = box("Scale to this instant", (on) => {
     instant = on;
     paint();
   }, false);

@@ -34,8 +34,8 @@ export function createArrows(scene, centre, radius, layer) {
     root.add(parts.group);
     return { ...a, ...parts, label, direction: new Vector3(), tip: new Vector3(), known: false };
   });
-  const inner = 1.04 * radius;
-  const outer = 1.42 * radius;
+  const inner = 0.92 * radius;
+  const outer = 1.2 * radius;
   return {
     root,
     set(i) {
@@ -49,7 +49,7 @@ export function createArrows(scene, centre, radius, layer) {
         a.shaft.scale.y = outer - inner;
         a.shaft.position.y = (outer - inner) / 2;
         a.head.position.y = outer - inner;
-        a.tip.copy(centre).addScaledVector(a.direction, outer + 0.12 * radius);
+        a.tip.copy(centre).addScaledVector(a.direction, outer + 0.07 * radius);
         const dark = a.id === "sun" && scene.sunlit && scene.sunlit[i] < 0.001;
         a.material.opacity = dark ? 0.35 : 1;
         a.label.textContent = dark ? "(Sun)" : a.name;
@@ -67,12 +67,19 @@ export function createArrows(scene, centre, radius, layer) {
     place(camera, width, height, shown) {
       const sight = camera.getWorldDirection(new Vector3());
       const at = new Vector3();
+      const middle = new Vector3().copy(centre).project(camera);
       for (const a of arrows) {
         const end = !a.known || Math.abs(sight.dot(a.direction)) > 0.985;
         a.group.visible = shown && !end;
         a.label.hidden = !a.group.visible;
         at.copy(a.tip).project(camera);
-        a.label.style.transform = `translate(-50%, -50%) translate(${((at.x + 1) / 2) * width}px, ${((1 - at.y) / 2) * height}px)`;
+        // The name stands beyond the tip, as seen from the middle.
+        const [dx, dy] = [(at.x - middle.x) * width, (middle.y - at.y) * height];
+        const [ux, uy] = [dx, dy].map((v) => v / (Math.hypot(dx, dy) || 1));
+        const [left, top] = [((at.x + 1) / 2) * width + ux * (8 + a.label.offsetWidth / 2), ((1 - at.y) / 2) * height + uy * 14];
+        const half = a.label.offsetWidth / 2 + 4;
+        const inside = [Math.min(width - half, Math.max(half, left)), Math.min(height - 12, Math.max(12, top))];
+        a.label.style.transform = `translate(-50%, -50%) translate(${inside[0]}px, ${inside[1]}px)`;
       }
     },
   };

@@ -1,9 +1,8 @@
 /* The satellite as triangles of three.js: one group a joint, colours of surfaces, edges. */
 import {
-  BufferAttribute, BufferGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Quaternion, Vector3,
+  BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Quaternion, Vector3,
 } from "three";
-
-const EDGE_DEG = 18;
+import { shapeEdges } from "./scene_edges.js";
 
 /** Triangles of one joint, each with corners of its own, so that each has one colour. */
 function piece(scene, chosen) {
@@ -17,14 +16,18 @@ function piece(scene, chosen) {
   geometry.setAttribute("color", new BufferAttribute(new Uint8Array(chosen.length * 9), 3, true));
   const mesh = new Mesh(geometry, new MeshBasicMaterial({ vertexColors: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
   mesh.userData.triangles = chosen;
-  const edges = new LineSegments(new EdgesGeometry(geometry, EDGE_DEG), new LineBasicMaterial({ color: 0x20262b, transparent: true, opacity: 0.45 }));
+  const kindOf = (n) => {
+    const surface = scene.surface[chosen[n]];
+    return (scene.part[surface] ?? 0) * 65536 + (scene.material[surface] ?? 0);
+  };
+  const edges = new LineSegments(shapeEdges(position, kindOf), new LineBasicMaterial({ color: 0x20262b, transparent: true, opacity: 0.6 }));
   const group = new Group();
   group.add(mesh, edges);
   return { group, mesh, edges };
 }
 
 /**
- * @param {object} scene arrays of the document's scene: vertices, triangles, surface, body, bodies
+ * @param {object} scene of scene_values.js
  * @returns {{root: Group, meshes: Mesh[], centre: Vector3, radius: number, paint: (colour: (surface: number) => number[]) => void,
  *   pose: (i: number) => void, edgeColour: (colour: string) => void}}
  */

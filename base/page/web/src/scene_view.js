@@ -1,14 +1,17 @@
 /* The canvas of the scene: camera, picture, and which facet is under the pointer. Throws where there is no WebGL. */
 import "./sharp.js";
-import { OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { ColorManagement, LinearSRGBColorSpace, OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { oncePerFrame } from "./dom.js";
+import { el, oncePerFrame } from "./dom.js";
 import { createArrows } from "./scene_arrows.js";
 import { createMesh } from "./scene_mesh.js";
 import { colours, isPrinting, onTheme } from "./theme.js";
 
+/* Colours are data: what the colour bar shows is what the screen gets, without conversion. */
+ColorManagement.enabled = false;
+
 /** Half of the picture's height, in radii of the satellite. */
-const HALF = 1.75;
+const HALF = 1.42;
 
 /**
  * @param {HTMLElement} host takes the canvas @param {object} scene arrays of the document's scene
@@ -16,10 +19,13 @@ const HALF = 1.75;
  */
 export function createView(host, scene, freed) {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+  renderer.outputColorSpace = LinearSRGBColorSpace;
   renderer.setPixelRatio(2);
   renderer.setClearColor(0x000000, 0);
   const canvas = renderer.domElement;
-  host.prepend(canvas);
+  // On paper a plain canvas stands in: what WebGL draws in time for the printer is not sure to be shown.
+  const paper = el("canvas", { class: "paper", "aria-hidden": "true" });
+  host.prepend(canvas, paper);
 
   const mesh = createMesh(scene);
   const arrows = createArrows(scene, mesh.centre, mesh.radius, host);
@@ -78,6 +84,9 @@ export function createView(host, scene, freed) {
     c.updateMatrixWorld();
     arrows.place(c, ...size, withArrows);
     renderer.render(world, c);
+    if (!isPrinting()) return;
+    [paper.width, paper.height] = [canvas.width, canvas.height];
+    paper.getContext("2d").drawImage(canvas, 0, 0);
   }
   const later = oncePerFrame(draw);
 

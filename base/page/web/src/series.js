@@ -18,7 +18,7 @@ function permuted(values, order) {
 /**
  * A curve from its description (../../format.md).
  * @param {object} s @param {(i: number) => ArrayLike<number>} array @param {ArrayLike<number>} x of the figure
- * @returns {{name, unit, set, role, mark, x, y, error, low, high, own, visible, stored}} ascending in x; `own`: has horizontal values of its own;
+ * @returns {{name, unit, set, column, role, mark, x, y, error, low, high, own, visible, stored}} ascending in x; `own`: has horizontal values of its own;
  *   `stored`: the arrays as the document has them
  */
 export function readSeries(s, array, x, unit) {
@@ -37,7 +37,7 @@ export function readSeries(s, array, x, unit) {
     if (mark === "line") mark = "points";
     own = true;
   }
-  return { name: s.name, unit, set: s.set, role: s.role, mark, x: xs, y, error, low, high, own, visible: !s.hidden, stored };
+  return { name: s.name, unit, set: s.set, column: s.column, role: s.role, mark, x: xs, y, error, low, high, own, visible: !s.hidden, stored };
 }
 
 /** Lower and upper end at a sample: of the band, of one sigma, or of the value itself. */

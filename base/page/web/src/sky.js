@@ -51,6 +51,21 @@ function pieces(azimuth, elevation, sunlit) {
   return out;
 }
 
+/** Direction from the path at a sample to where a name does not lie on it: across, away from where the path bends to. */
+function aside(azimuth, elevation, i) {
+  const step = Math.max(3, Math.floor(azimuth.length / 12));
+  const at = (k) => place(azimuth[k], elevation[k]);
+  const [before, here, after] = [Math.max(0, i - step), i, Math.min(azimuth.length - 1, i + step)].map(at);
+  const along = [after[0] - before[0], after[1] - before[1]];
+  const size = Math.hypot(...along) || 1;
+  const across = [-along[1] / size, along[0] / size];
+  const bend = (before[0] + after[0] - 2 * here[0]) * across[0] + (before[1] + after[1] - 2 * here[1]) * across[1];
+  // A straight path: outward.
+  const outward = (here[0] - SIZE / 2) * across[0] + (here[1] - SIZE / 2) * across[1];
+  const sign = Math.abs(bend) > 1 ? -Math.sign(bend) : Math.sign(outward) || 1;
+  return across.map((v) => sign * v);
+}
+
 export function drawSky(figure, { array, host, clock }) {
   const [time, azimuth, elevation] = [array(figure.time) ?? [], array(figure.azimuth_deg) ?? [], array(figure.elevation_deg) ?? []];
   const sunlit = array(figure.sunlit);
@@ -60,10 +75,11 @@ export function drawSky(figure, { array, host, clock }) {
     const i = nearest(time, m.time);
     if (i < 0 || !Number.isFinite(azimuth[i])) return null;
     const [x, y] = place(azimuth[i], elevation[i]);
-    const right = x < SIZE / 2;
+    const [ux, uy] = aside(azimuth, elevation, i);
+    const anchor = Math.abs(ux) < 0.35 ? "middle" : ux < 0 ? "end" : "start";
     return [
       svg("circle", { cx: x, cy: y, r: 2.8, class: "sky-mark" }),
-      svg("text", { x: x + (right ? -7 : 7), y: y - 5, "text-anchor": right ? "end" : "start", class: "sky-label" }, m.name),
+      svg("text", { x: x + 8 * ux, y: y + 3.5 + 10 * uy, "text-anchor": anchor, class: "sky-label" }, m.name),
     ];
   });
   const drawing = svg(

@@ -1,6 +1,6 @@
 /* One parameter of a what-if: a slider with its stated interval, or a checkbox. */
 import { button, el, freshId } from "./dom.js";
-import { number, quantity } from "./format.js";
+import { plain, quantity } from "./format.js";
 import { isBeyond, rangeOf, statedInterval } from "./whatif.js";
 
 const STEPS = 1000;
@@ -87,8 +87,8 @@ function sliderRow(p, changed, served) {
     note.textContent = !bounded
       ? ""
       : beyond
-        ? `Beyond ${number(from)} to ${number(to)} the straight line is off by more than 1 %${served ? "; it is computed." : "; umbra serve computes it."}`
-        : `the line is good to 1 % from ${number(from)} to ${number(to)}`;
+        ? `Beyond ${plain(from)} to ${plain(to)} the straight line is off by more than 1 %${served ? "; it is computed." : "; umbra serve computes it."}`
+        : `the line is good to 1 % from ${plain(from)} to ${plain(to)}`;
   }
   return { node, set };
 }

@@ -13,7 +13,7 @@ const WAIT_MS = 350;
 const line = (name, x, y, more) => ({ name, x, y, own: false, mark: "line", visible: true, stored: { x, y }, ...more });
 
 /** Base, moved and computed curves of each panel. */
-function arrange(curves, xs) {
+function arrange(curves, xs, served) {
   const panels = [];
   for (const c of curves) {
     const title = c.panel ?? c.name;
@@ -23,7 +23,7 @@ function arrange(curves, xs) {
     c.before = line(`${c.name} as it is`, xs, c.base, { role: "before" });
     c.after = line(c.name, xs, y, { error: new Float64Array(y.length) });
     c.computed = line(`${c.name} computed`, xs, new Float64Array(y.length).fill(NaN), { mark: "points" });
-    panel.series.push(c.before, c.after, c.computed);
+    panel.series.push(c.before, c.after, ...(served ? [c.computed] : []));
   }
   return panels;
 }
@@ -37,9 +37,9 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
     base: array(c.base) ?? [],
     derivative: parameters.map((p, k) => array(c.derivative[k])),
   }));
-  const panels = arrange(curves, xs);
   const values = parameters.map((p) => p.null);
   const ask = doc.serve?.token ? createServer(doc.serve.token) : null;
+  const panels = arrange(curves, xs, Boolean(ask));
 
   const chart = el("div", { class: "whatif-chart" });
   const list = el("div", { class: "whatif-list" });
@@ -131,6 +131,7 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
       return columns.filter((c) => Array.from(c.values).some((v) => Number.isFinite(v)));
     },
     series: drawing.drawn,
+    plots: drawing.plots,
     /** For tests: sets a parameter by its name. */
     set(name, value) {
       const k = parameters.findIndex((p) => p.name === name);
