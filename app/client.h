@@ -106,6 +106,7 @@ enum um_app_offers {
   UM_APP_NOTHING,
   UM_APP_FILES,
   UM_APP_FOLDERS,
+  UM_APP_RESULTS, /* folders of results */
   UM_APP_SCENARIOS,
   UM_APP_STUDIES,
   UM_APP_TABLES, /* *.csv */
@@ -185,7 +186,7 @@ um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_c
     um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
     um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
     um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
-    um_app_sensitivity, um_app_synth, um_app_validate, um_app_schema, um_app_completion,
-    um_app_help_command;
+    um_app_sensitivity, um_app_report, um_app_synth, um_app_validate, um_app_schema,
+    um_app_completion, um_app_help_command;
 
 #endif

@@ -13,6 +13,7 @@ static const char *offer(enum um_app_offers offers)
   case UM_APP_FILES:
     return "_umbra_files ''";
   case UM_APP_FOLDERS:
+  case UM_APP_RESULTS:
     return "_umbra_files /";
   case UM_APP_SCENARIOS:
   case UM_APP_STUDIES:

@@ -96,6 +96,7 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
+      [UM_APP_RESULTS] = "a folder of results with report.html, or such a file; up to 8",
       [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",

@@ -270,9 +270,9 @@ enum um_app_offers um_app_argument_offers(const char *name)
   } kinds[] = {
       {"SCENARIO", UM_APP_SCENARIOS}, {"STUDY", UM_APP_STUDIES},    {"MEASURED", UM_APP_TABLES},
       {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES}, {"FRAME...", UM_APP_FILES},
-      {"STARS", UM_APP_TABLES},       {"EFFECT", UM_APP_EFFECTS},   {"MATERIAL", UM_APP_MATERIALS},
-      {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},    {"SHELL", UM_APP_SHELLS},
-      {"COMMAND", UM_APP_VERBS}};
+      {"RESULTS...", UM_APP_RESULTS}, {"STARS", UM_APP_TABLES},     {"EFFECT", UM_APP_EFFECTS},
+      {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},   {"PATH", UM_APP_SECTIONS},
+      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

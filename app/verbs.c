@@ -173,6 +173,12 @@ static const struct um_app_verb verbs[] = {
               "air takes is not put back.",
      .examples = "umbra retrieve scenarios/envisat-graz-2016 measured.csv\n",
      .run = um_app_retrieve},
+    {"report", "RESULTS...", "pages of results beside each other, in one page", .needs = "file",
+     .accepts = "force",
+     .about = "umbra run, compare, study, sensitivity, diagnose and fit write report.html into the "
+              "folder of their results. This takes several into one page, where their curves stand "
+              "beside each other.",
+     .examples = "umbra report out/cold out/hot -o both.html\n", .run = um_app_report},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file",
      .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",

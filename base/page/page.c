@@ -173,6 +173,14 @@ static void put_json(const struct um_page_text *json, FILE *file)
       fputc(json->text[i], file);
 }
 
+void um_page_text_put_json(struct um_page_text *text, FILE *file)
+{
+  (void)fclose(text->file);
+  text->file = NULL;
+  put_json(text, file);
+  free(text->text);
+}
+
 static void put_document(const struct um_page *page, FILE *file)
 {
   struct um_page_text head = {0};
@@ -184,8 +192,7 @@ static void put_document(const struct um_page *page, FILE *file)
     um_page_key(head.file, "command", page->command);
     um_page_key(head.file, "kind", page->kind);
     um_page_key(head.file, "title", page->title);
-    if (fclose(head.file) == 0) put_json(&head, file);
-    free(head.text);
+    um_page_text_put_json(&head, file);
   }
   fputs(",\n\"lead\": [", file);
   put_json(&page->lead, file);
@@ -209,7 +216,7 @@ static void put_document(const struct um_page *page, FILE *file)
   "text-align:left}img{max-width:100%}details{margin:.5rem 0}.t{max-height:24rem;overflow:auto}"
 
 /* The policy lets nothing in from elsewhere, and runs no script but the viewer. */
-static void put_head(const struct um_page *page, FILE *file)
+void um_page_put_head(const char *title, FILE *file)
 {
   fputs("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
@@ -223,7 +230,7 @@ static void put_head(const struct um_page *page, FILE *file)
   fputs("\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<link rel=\"icon\" href=\"data:,\">\n<title>",
         file);
-  um_page_plain_text(file, page->title);
+  um_page_plain_text(file, title);
   fputs("</title>\n<style>", file);
   if (um_page_has_viewer())
     fwrite(um_page_viewer_css, 1, um_page_viewer_css_length, file);
@@ -255,24 +262,28 @@ static void put_plain(const struct um_page *page, FILE *file)
   fputs("</main>\n", file);
 }
 
+void um_page_put_viewer(FILE *file)
+{
+  if (!um_page_has_viewer()) return;
+  fputs("<script>", file);
+  fwrite(um_page_viewer_js, 1, um_page_viewer_js_length, file);
+  fputs("</script>\n", file);
+}
+
 enum um_status um_page_write(struct um_context *context, struct um_page *page, FILE *file)
 {
   struct um_page_text *const texts[] = TEXTS(page);
   section_end(page);
   for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
     if (!text_end(texts[i])) return um_core_fail(context, UM_ERR_MEMORY, "a page: out of memory");
-  put_head(page, file);
+  um_page_put_head(page->title, file);
   fputs("<body>\n", file);
   put_plain(page, file);
   put_document(page, file);
   fputs("<script type=\"text/plain\" id=\"umbra-numbers\">", file);
   UM_TRY(um_page_write_packed(context, page->numbers.text, page->numbers.length, file));
   fputs("</script>\n", file);
-  if (um_page_has_viewer()) {
-    fputs("<script>", file);
-    fwrite(um_page_viewer_js, 1, um_page_viewer_js_length, file);
-    fputs("</script>\n", file);
-  }
+  um_page_put_viewer(file);
   fputs("</body>\n</html>\n", file);
   return UM_OK;
 }

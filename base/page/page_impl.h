@@ -51,6 +51,12 @@ void um_page_plain_row(struct um_page *page);
 void um_page_plain_cell(struct um_page *page, const char *text, double value);
 void um_page_plain_end(struct um_page *page);
 
+/* The head of a page of that title, its policy and its style; the viewer's script. */
+void um_page_put_head(const char *title, FILE *file);
+void um_page_put_viewer(FILE *file);
+/* End a text that is JSON, and put it where a script element stands; it is released. */
+void um_page_text_put_json(struct um_page_text *text, FILE *file);
+
 /* A zlib stream of the bytes as base64. UM_ERR_MEMORY, UM_ERR_LIBRARY. */
 enum um_status um_page_write_packed(struct um_context *context, const char *bytes, size_t n,
                                     FILE *file);

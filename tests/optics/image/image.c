@@ -4,6 +4,7 @@
 
 #include "base/core/constants.h"
 #include "optics/image/image.h"
+#include "optics/image/surfaces.h"
 #include "tests/optics/fixture.h"
 
 static const struct um_geometry_skin ball_skin = {NULL, "blanket", NULL};
@@ -59,6 +60,43 @@ static double image_sum(const struct um_optics_image *image, size_t band)
       sum += um_optics_image_pixel(image, (const double(*)[2])weighed, x, y);
   free(weighed);
   return sum * image->pixel_size * image->pixel_size;
+}
+
+/* Sum over surfaces of radiance times the projected area that is seen = radiant intensity: with
+ * the shares of the view itself nothing is sampled but light between surfaces, whose error the
+ * light curve states. Surfaces of which less than 2 % is seen are left out: 1e-3 of the sum. */
+static void test_surfaces(void **state)
+{
+  (void)state;
+  struct fixture f;
+  scene(&f);
+  f.scene.interreflection_samples = 32;
+  const struct um_optics_band bands[] = {vis, lwir};
+  fixture_run(&f, 64, bands, 2);
+  size_t n = um_geometry_mesh(f.geometry)->nsurface, dark = 0;
+  double *radiance = calloc(2 * n, sizeof *radiance);
+  assert_non_null(radiance);
+  for (size_t t = 0; t < 2; t++) {
+    FIXTURE_OK(&f,
+               um_optics_surface_radiance(f.context, &f.scene, t, f.view, t, bands, 2, radiance));
+    for (size_t k = 0; k < 2; k++) {
+      double sum = 0.0, total = 0.0, error = f.curve->stderr_[t * 2 + k];
+      for (size_t s = 0; s < n; s++) {
+        double seen = (double)f.view->seen[t * n + s];
+        if (isnan(radiance[k * n + s]))
+          dark++;
+        else
+          sum += radiance[k * n + s] * seen * f.view->area[s] *
+                 (double)f.view->cos_observer[t * n + s];
+      }
+      for (int m = 0; m < UM_MECHANISM_COUNT; m++)
+        total += fixture_intensity(&f, t, k, (enum um_optics_mechanism)m);
+      fixture_within("intensity of surfaces", sum, total, error + 2.5e-4 * total, 0.05);
+    }
+  }
+  assert_true(dark > 0);
+  free(radiance);
+  fixture_destroy(&f);
 }
 
 /* Sum over pixels of radiance times pixel area = radiant intensity. The light curve states its own
@@ -260,9 +298,9 @@ static void test_orientation(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_sum),         cmocka_unit_test(test_moonlight),
-      cmocka_unit_test(test_factors),     cmocka_unit_test(test_estimate),
-      cmocka_unit_test(test_orientation),
+      cmocka_unit_test(test_sum),       cmocka_unit_test(test_surfaces),
+      cmocka_unit_test(test_moonlight), cmocka_unit_test(test_factors),
+      cmocka_unit_test(test_estimate),  cmocka_unit_test(test_orientation),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
