@@ -53,7 +53,7 @@ static enum um_status put_document(struct um_context *context, const char *path,
 {
   char *text = NULL;
   size_t length;
-  struct piece document, numbers;
+  struct piece document = {0}, numbers = {0};
   UM_TRY(um_core_file_read(context, path, LIMIT, &text, &length));
   enum um_status status = UM_OK;
   if (!find(text, DOCUMENT, &document) || !find(text, NUMBERS, &numbers) ||

@@ -42,7 +42,7 @@ const height = (count, host) => {
   const narrow = host.clientWidth < 520;
   if (count === 1) return narrow ? 220 : 280;
   if (count === 2) return narrow ? 165 : 205;
-  return narrow ? 140 : 165;
+  return narrow ? 140 : 178;
 };
 
 /**
@@ -122,14 +122,14 @@ export function createPanels(o) {
       height: height(o.panels.length, host) + (index === o.panels.length - 1 ? 22 : 0),
       last: index === o.panels.length - 1,
       label: `${o.title}: ${nameAndUnit(p.name, p.unit)} over ${x.name}`,
-      lines: lines.map((s) => ({ colour: s.colour, dash: s.dash, width: s.role === "part" || s.mark === "area" ? 1.25 : 1.9, step: s.mark === "step" })),
+      lines: lines.map((s) => ({ colour: s.colour, dash: s.dash, width: s.base !== undefined ? 0 : s.role === "part" || s.mark === "area" ? 1.25 : 1.9, step: s.mark === "step" })),
       data: () => (usable ? [o.xs, ...lines.map(drawn)] : [full]),
       yRange: (from, to) => roomAbout(...reachOf(series, from, to, log), p.scale ?? "linear", p.zero || p.stacked),
       snap,
       spoken: spokenOf(series, p.unit),
       dots: (at) =>
         visible()
-          .filter((s) => !s.own && s.mark !== "points")
+          .filter((s) => !s.own && s.mark !== "points" && s.x.length > 0)
           .map((s) => {
             const i = nearest(s.x, at);
             return { x: s.x[i], y: (s.top ?? s.y)[i], colour: s.colour() };
@@ -138,7 +138,7 @@ export function createPanels(o) {
       below: (u) => {
         paint.paintShades(u, shades);
         for (const s of visible()) {
-          if (s.base) paint.paintBetween(u, s, (i) => s.base[i], (i) => s.top[i], s.colour(), 0.42);
+          if (s.base) paint.paintBetween(u, s, (i) => s.base[i], (i) => s.top[i], s.colour(), 0.62);
           else if (s.mark === "area") paint.paintBetween(u, s, () => (log ? u.scales.y.min : 0), (i) => s.y[i], s.colour(), 0.3);
           if (!s.top && s.mark !== "points" && (s.error || (s.low && s.high))) paint.paintBand(u, s, s.colour());
         }

@@ -32,7 +32,7 @@ export function createArrows(scene, centre, radius, layer) {
     const label = el("span", { class: "arrow-label" }, a.name);
     layer.append(label);
     root.add(parts.group);
-    return { ...a, ...parts, label, direction: new Vector3(), tip: new Vector3(), known: false };
+    return { ...a, ...parts, label, direction: new Vector3(), tip: new Vector3(), known: false, word: a.name };
   });
   const inner = 0.92 * radius;
   const outer = 1.2 * radius;
@@ -52,7 +52,7 @@ export function createArrows(scene, centre, radius, layer) {
         a.tip.copy(centre).addScaledVector(a.direction, outer + 0.07 * radius);
         const dark = a.id === "sun" && scene.sunlit && scene.sunlit[i] < 0.001;
         a.material.opacity = dark ? 0.35 : 1;
-        a.label.textContent = dark ? "(Sun)" : a.name;
+        a.word = dark ? "(Sun)" : a.name;
         a.label.title = dark ? "behind the Earth" : "";
       }
     },
@@ -63,15 +63,19 @@ export function createArrows(scene, centre, radius, layer) {
         a.label.style.color = colours().arrows[a.id];
       }
     },
-    /** Puts the names beside the tips; an arrow that points at or from the eye is left out. */
+    /** Puts the names beside the tips. An arrow that points at the eye or away is a sign: ⊙ or ⊗; that to the observer is left out there. */
     place(camera, width, height, shown) {
       const sight = camera.getWorldDirection(new Vector3());
       const at = new Vector3();
       const middle = new Vector3().copy(centre).project(camera);
       for (const a of arrows) {
-        const end = !a.known || Math.abs(sight.dot(a.direction)) > 0.985;
-        a.group.visible = shown && !end;
-        a.label.hidden = !a.group.visible;
+        const along = sight.dot(a.direction);
+        const end = Math.abs(along) > 0.985;
+        a.group.visible = shown && a.known && !end;
+        a.label.hidden = !(shown && a.known) || (end && a.id === "observer");
+        a.label.textContent = end ? `${along > 0 ? "⊗" : "⊙"} ${a.word}` : a.word;
+        // What points away may stand behind the satellite.
+        a.label.style.opacity = along > 0.6 ? 0.55 : 1;
         at.copy(a.tip).project(camera);
         // The name stands beyond the tip, as seen from the middle.
         const [dx, dy] = [(at.x - middle.x) * width, (middle.y - at.y) * height];

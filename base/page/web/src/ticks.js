@@ -10,7 +10,7 @@ const TIME_STEPS = [
 function multiples(min, max, step) {
   const marks = [];
   const first = Math.ceil(min / step - 1e-9);
-  for (let k = first; k * step <= max + step * 1e-9 && marks.length < 1000; k += 1) marks.push(k * step);
+  for (let k = first; k * step <= max + step * 1e-9 && marks.length < 1000; k += 1) marks.push(k * step || 0); // never -0
   return marks;
 }
 

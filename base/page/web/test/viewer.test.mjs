@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch, open } from "./browser.mjs";
-import { pageText } from "./page.mjs";
+import { Numbers, pageText } from "./page.mjs";
 import { HOSTILE, synthetic } from "./synthetic.mjs";
 
 let folder;
@@ -491,4 +491,39 @@ test("beyond its interval a slider asks the program, with the token", async () =
   } finally {
     server.close();
   }
+});
+
+test("little is enough: no facts, no numbers, one sample, gaps alone, a satellite without time", async () => {
+  const n = new Numbers();
+  const scene = {
+    vertices: n.f32([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]), triangles: n.u32([0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]), surface: n.u32([0, 1, 2, 3]),
+    surfaces: { count: 4, part: n.u32([0, 0, 1, 1]), material: n.u32([0, 1, 0, 1]) }, parts: ["a", "b"], materials: ["m", "n"],
+  };
+  const x = { name: "time", unit: "UTC", scale: "time", data: n.f64([1e9]) };
+  const panel = (series, more = {}) => [{ name: "v", unit: "1", scale: "linear", series, ...more }];
+  const figures = [
+    { kind: "axes", id: "one", title: "One sample", x, panels: panel([{ name: "a", data: n.f64([3]) }]) },
+    { kind: "axes", id: "gaps", title: "Gaps alone", x: { ...x, data: n.f64([1e9, 1e9 + 1]) }, panels: panel([{ name: "a", data: n.f64([NaN, NaN]), error: n.f64([NaN, NaN]) }], { scale: "log" }) },
+    { kind: "axes", id: "none", title: "Nothing", x: { ...x, data: n.f64([]) }, panels: panel([{ name: "a", data: n.f64([]) }]) },
+    { kind: "axes", id: "equal", title: "All equal", x: { name: "x", unit: "m", scale: "log", data: n.f64([1, 10, 100]) }, panels: panel([{ name: "a", data: n.f64([5, 5, 5]) }], { zero: true }) },
+    { kind: "axes", id: "absent", title: "An array that is not there", x, panels: panel([{ name: "a", data: 999 }]) },
+    { kind: "bars", id: "bars", title: "Bars", name: "v", unit: "1", scale: "log", bars: [{ name: "a", value: null }, { name: "b", value: 1e-9, error: 1e-10 }] },
+    { kind: "map", id: "map", title: "Map", x: { name: "x", unit: "1", data: n.f64([1]) }, y: { name: "y", unit: "1", data: n.f64([1]) }, z: { name: "z", unit: "1", data: n.f64([NaN]) } },
+    { kind: "sky", id: "sky", title: "Sky", time: n.f64([]), azimuth_deg: n.f64([]), elevation_deg: n.f64([]) },
+    { kind: "table", id: "table", title: "Table", columns: [] },
+    { kind: "sliders", id: "sliders", title: "Sliders", x, parameters: [], curves: [] },
+    { kind: "scene", id: "scene", title: "Scene", quantity: "temperature" },
+  ];
+  const document = { format: "umbra page", version: 1, title: "Little", lead: [], sections: [{ id: "s", question: "What?", figures }, { id: "t" }], scene };
+  writeFileSync(join(folder, "little.html"), pageText(document, n, folder));
+  const { page, context, trouble, violations } = await open(browser, url("little"));
+  assert.deepEqual(await page.locator(".unknown").allTextContents(), ["This figure could not be drawn: the document has no array 999."]);
+  assert.deepEqual(await page.locator("figure select option").allTextContents(), ["material", "part"]);
+  assert.equal(trouble.filter((t) => !/absent/.test(t)).length, 0, trouble.join("\n"));
+  assert.deepEqual(await violations(), []);
+  await page.locator(plot("equal", 0)).focus();
+  await page.keyboard.press("End");
+  assert.match(await page.locator('figure[data-id="equal"] .readout').textContent(), /^x 100 m/);
+  for (const id of figures.map((f) => f.id)) assert.equal(typeof (await page.evaluate((i) => window.umbra.figure(i).csv(), id)), "string");
+  await context.close();
 });
