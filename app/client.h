@@ -79,6 +79,7 @@ struct um_app_options {
   bool study_check;               /* of study: --check */
   const char *measured;           /* of study: --measured FILE */
   bool view;                      /* of check: --view */
+  int port;                       /* of serve: --port; 0: any that is free */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
   /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */
@@ -186,7 +187,7 @@ um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_c
     um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
     um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
     um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
-    um_app_sensitivity, um_app_report, um_app_synth, um_app_validate, um_app_schema,
+    um_app_sensitivity, um_app_report, um_app_serve, um_app_synth, um_app_validate, um_app_schema,
     um_app_completion, um_app_help_command;
 
 #endif

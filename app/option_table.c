@@ -188,6 +188,9 @@ static const struct um_app_option table[] = {
      .help =
          "Write a page that shows the satellite in three dimensions, before anything is solved: "
          "report.html in DIR."},
+    {"port", "port", "N", .takes = UM_APP_NUMBER, AT(port), .most = 65535,
+     .default_value = "one that is free", .example = "--port 8017",
+     .help = "Where the page is served, on this machine alone."},
     {"no-plots", "no-plots", .takes = UM_APP_FLAG, AT(no_plots), .help = "Draw no pictures."},
     {"from-brdf", "from-brdf", "FILE", .takes = UM_APP_TEXT, AT(from_brdf), .offers = UM_APP_FILES,
      .example = "--from-brdf measured.csv",

@@ -2,26 +2,13 @@
 #include "app/sensitivity.h"
 
 #include "app/terminal.h"
-#include "evidence/diagnosis/request.h"
 #include "evidence/measurements/measurements.h"
 #include "evidence/sensitivity/own.h"
 #include "model/build/build.h"
 
-struct work {
-  struct um_model_options changes; /* of the scenario; the forward borrows it */
-  struct um_compare_measurements *set;
-  struct um_sensitivity_forward *forward;
-  struct um_diagnosis_request *request; /* [nwhat_if] of each --what-if */
-  struct um_sensitivity_matrix *matrix;
-  struct um_sensitivity_what_if *what_if; /* [nwhat_if] */
-  size_t nwhat_if;
-  struct um_core_folder *folder;
-  char *out;
-};
-
 /* The measurements of --data, or the scenario's own instants. */
 static enum um_status find_set(struct um_context *context, const struct um_app_options *options,
-                               struct work *work)
+                               struct um_app_sensitivity_work *work)
 {
   struct um_model *model = NULL;
   if (options->data != NULL)
@@ -33,7 +20,8 @@ static enum um_status find_set(struct um_context *context, const struct um_app_o
 }
 
 static enum um_status read_what_ifs(struct um_context *context,
-                                    const struct um_app_options *options, struct work *work)
+                                    const struct um_app_options *options,
+                                    struct um_app_sensitivity_work *work)
 {
   work->nwhat_if = options->nwhat_if;
   UM_TRY(um_core_allocate(context, work->nwhat_if, sizeof *work->request, &work->request));
@@ -46,21 +34,28 @@ static enum um_status read_what_ifs(struct um_context *context,
   return UM_OK;
 }
 
-static enum um_status begin(struct um_context *context, const struct um_app_options *options,
-                            struct work *work)
+enum um_status um_app_sensitivity_begin(struct um_context *context,
+                                        const struct um_app_options *options,
+                                        struct um_app_sensitivity_work *work)
 {
   um_app_terminal_progress_in_pipes(); /* it may take minutes, and its tables come at the end */
   work->changes = um_app_model_options(options);
   UM_TRY(find_set(context, options, work));
   UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes, work->set,
                                        UM_SENSITIVITY_MATRIX_TOLERANCE, &work->forward));
-  UM_TRY(read_what_ifs(context, options, work));
+  return read_what_ifs(context, options, work);
+}
+
+static enum um_status begin_folder(struct um_context *context, const struct um_app_options *options,
+                                   struct um_app_sensitivity_work *work)
+{
   UM_TRY(um_app_out_folder(context, options, work->forward->model->scenario->name, &work->out));
   return um_core_folder_begin(context, work->out, options->force, &work->folder);
 }
 
-static enum um_status compute(struct um_context *context, const struct um_app_options *options,
-                              struct work *work)
+enum um_status um_app_sensitivity_compute(struct um_context *context,
+                                          const struct um_app_options *options,
+                                          struct um_app_sensitivity_work *work)
 {
   const struct um_sensitivity_candidates_options which = {.only = options->only,
                                                           .nonly = options->nonly,
@@ -78,7 +73,7 @@ static enum um_status compute(struct um_context *context, const struct um_app_op
 }
 
 static enum um_status finish(struct um_context *context, const struct um_app_options *options,
-                             struct work *work)
+                             struct um_app_sensitivity_work *work)
 {
   const struct um_sensitivity_report report = {.matrix = work->matrix,
                                                .elasticity = options->elasticity,
@@ -96,20 +91,26 @@ static enum um_status finish(struct um_context *context, const struct um_app_opt
   return UM_OK;
 }
 
+void um_app_sensitivity_release(struct um_context *context, struct um_app_sensitivity_work *work)
+{
+  um_core_folder_abort(&work->folder);
+  for (size_t i = 0; i < work->nwhat_if; i++) {
+    if (work->what_if != NULL) um_sensitivity_what_if_release(context, &work->what_if[i]);
+    if (work->request != NULL) um_diagnosis_request_release(context, &work->request[i]);
+  }
+  um_sensitivity_matrix_destroy(context, &work->matrix);
+  um_sensitivity_forward_destroy(context, &work->forward);
+  um_compare_measurements_destroy(context, &work->set);
+  UM_FREE(context, work->what_if, work->request, work->out);
+}
+
 int um_app_sensitivity(struct um_context *context, const struct um_app_options *options)
 {
-  struct work work = {.out = NULL};
-  enum um_status status = begin(context, options, &work);
-  if (status == UM_OK) status = compute(context, options, &work);
+  struct um_app_sensitivity_work work = {.out = NULL};
+  enum um_status status = um_app_sensitivity_begin(context, options, &work);
+  if (status == UM_OK) status = begin_folder(context, options, &work);
+  if (status == UM_OK) status = um_app_sensitivity_compute(context, options, &work);
   if (status == UM_OK) status = finish(context, options, &work);
-  um_core_folder_abort(&work.folder);
-  for (size_t i = 0; i < work.nwhat_if; i++) {
-    if (work.what_if != NULL) um_sensitivity_what_if_release(context, &work.what_if[i]);
-    if (work.request != NULL) um_diagnosis_request_release(context, &work.request[i]);
-  }
-  um_sensitivity_matrix_destroy(context, &work.matrix);
-  um_sensitivity_forward_destroy(context, &work.forward);
-  um_compare_measurements_destroy(context, &work.set);
-  UM_FREE(context, work.what_if, work.request, work.out);
+  um_app_sensitivity_release(context, &work);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -179,6 +179,14 @@ static const struct um_app_verb verbs[] = {
               "folder of their results. This takes several into one page, where their curves stand "
               "beside each other.",
      .examples = "umbra report out/cold out/hot -o both.html\n", .run = um_app_report},
+    {"serve", "SCENARIO", "the page of sensitivities in a browser, computing what its lines miss",
+     .accepts = CHANGES " only exclude data port",
+     .about =
+         "Computes the matrix of umbra sensitivity, then serves its page on this machine alone, "
+         "at an address with a token. A slider that leaves the interval in which a straight "
+         "line is good has the model computed. Ctrl-C ends it.",
+     .examples = "umbra serve scenarios/hidden-effect/dawn --only emittance\n",
+     .run = um_app_serve},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file",
      .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",

@@ -192,7 +192,7 @@ enum um_status um_output_write_page(struct um_context *context, const struct um_
 {
   enum um_status status;
   struct um_output_page p = {.context = context, .run = run, .folder = um_core_folder_path(folder)};
-  const struct um_page_head head = {run->command, "run", run->model->scenario->name};
+  const struct um_page_head head = {run->command, "run", run->model->scenario->name, NULL};
   UM_CHECK(um_page_create(context, &head, &p.page));
   UM_CHECK(sections(&p));
   UM_CHECK(um_page_write_report(context, p.page, folder));

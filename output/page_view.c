@@ -118,7 +118,7 @@ enum um_status um_output_write_view(struct um_context *context, const struct um_
 {
   enum um_status status;
   struct view v = {.context = context, .model = model};
-  const struct um_page_head head = {command, "scenario", model->scenario->name};
+  const struct um_page_head head = {command, "scenario", model->scenario->name, NULL};
   UM_CHECK(um_page_create(context, &head, &v.page));
   UM_CHECK(sections(&v));
   UM_CHECK(um_page_write_report(context, v.page, folder));

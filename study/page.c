@@ -249,7 +249,7 @@ enum um_status um_study_write_page(struct um_context *context, const struct um_s
 {
   enum um_status status;
   struct work w = {.context = context, .r = result, .l = statistics};
-  const struct um_page_head head = {"umbra study", "study", result->name};
+  const struct um_page_head head = {"umbra study", "study", result->name, NULL};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));

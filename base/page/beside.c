@@ -72,7 +72,7 @@ static enum um_status put_document(struct um_context *context, const char *path,
 enum um_status um_page_write_beside(struct um_context *context, size_t n, const char *const *path,
                                     const char *const *name, FILE *file)
 {
-  um_page_put_head(n > 1 ? "Results beside each other" : name[0], file);
+  um_page_put_head(n > 1 ? "Results beside each other" : name[0], false, file);
   fputs("<body>\n<main id=\"umbra-static\">\n<h1>Results beside each other</h1>\n<ul>\n", file);
   for (size_t i = 0; i < n; i++) {
     fputs("<li>", file);

@@ -37,6 +37,7 @@ enum um_status um_page_create(struct um_context *context, const struct um_page_h
   UM_CHECK(um_core_strdup(context, head->command, &page->command));
   UM_CHECK(um_core_strdup(context, head->kind, &page->kind));
   UM_CHECK(um_core_strdup(context, head->title, &page->title));
+  if (head->token != NULL) UM_CHECK(um_core_strdup(context, head->token, &page->token));
   if (!texts_open(page)) UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "a page: out of memory"));
   *out = page;
   page = NULL;
@@ -54,7 +55,7 @@ void um_page_destroy(struct um_context *context, struct um_page **page)
     if (texts[i]->file != NULL) (void)fclose(texts[i]->file);
     free(texts[i]->text);
   }
-  UM_FREE(context, p->command, p->kind, p->title, p);
+  UM_FREE(context, p->command, p->kind, p->title, p->token, p);
   *page = NULL;
 }
 
@@ -192,6 +193,10 @@ static void put_document(const struct um_page *page, FILE *file)
     um_page_key(head.file, "command", page->command);
     um_page_key(head.file, "kind", page->kind);
     um_page_key(head.file, "title", page->title);
+    if (page->token != NULL) {
+      um_core_json_text(head.file, ", \"serve\": {", "token", page->token);
+      fputc('}', head.file);
+    }
     um_page_text_put_json(&head, file);
   }
   fputs(",\n\"lead\": [", file);
@@ -216,12 +221,13 @@ static void put_document(const struct um_page *page, FILE *file)
   "text-align:left}img{max-width:100%}details{margin:.5rem 0}.t{max-height:24rem;overflow:auto}"
 
 /* The policy lets nothing in from elsewhere, and runs no script but the viewer. */
-void um_page_put_head(const char *title, FILE *file)
+void um_page_put_head(const char *title, bool served, FILE *file)
 {
   fputs("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
         "img-src data: blob:; base-uri 'none'; form-action 'none'",
         file);
+  if (served) fputs("; connect-src 'self'", file);
   if (um_page_has_viewer())
     fprintf(file, "; script-src '%s'; style-src '%s'", um_page_viewer_js_hash,
             um_page_viewer_css_hash);
@@ -276,7 +282,7 @@ enum um_status um_page_write(struct um_context *context, struct um_page *page, F
   section_end(page);
   for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
     if (!text_end(texts[i])) return um_core_fail(context, UM_ERR_MEMORY, "a page: out of memory");
-  um_page_put_head(page->title, file);
+  um_page_put_head(page->title, page->token != NULL, file);
   fputs("<body>\n", file);
   put_plain(page, file);
   put_document(page, file);

@@ -13,7 +13,7 @@ struct um_page_text {
 enum um_page_state { UM_PAGE_NO_SECTION, UM_PAGE_TEXTS, UM_PAGE_FIGURES };
 
 struct um_page {
-  char *command, *kind, *title;
+  char *command, *kind, *title, *token;
   struct um_page_text lead, facts, sections, scene, arrays; /* JSON */
   struct um_page_text numbers;                              /* bytes */
   struct um_page_text plain_lead, plain_facts, plain;       /* HTML, where there is no viewer */
@@ -51,8 +51,9 @@ void um_page_plain_row(struct um_page *page);
 void um_page_plain_cell(struct um_page *page, const char *text, double value);
 void um_page_plain_end(struct um_page *page);
 
-/* The head of a page of that title, its policy and its style; the viewer's script. */
-void um_page_put_head(const char *title, FILE *file);
+/* The head of a page of that title, its policy and its style; the viewer's script. served: it may
+ * ask where it comes from. */
+void um_page_put_head(const char *title, bool served, FILE *file);
 void um_page_put_viewer(FILE *file);
 /* End a text that is JSON, and put it where a script element stands; it is released. */
 void um_page_text_put_json(struct um_page_text *text, FILE *file);

@@ -290,7 +290,7 @@ enum um_status um_compare_write_page(struct um_context *context,
   char *title = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s beside measurements",
                             comparison->run.model->scenario->name));
-  const struct um_page_head head = {command, "comparison", title};
+  const struct um_page_head head = {command, "comparison", title, NULL};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));

@@ -50,16 +50,48 @@ static enum um_status find_rows(struct um_context *context, const struct um_sens
                             "has, by the name that it goes by");
 }
 
-/* The candidate's own null values, and what is given. */
-static struct um_model_addition addition_of(const struct um_sensitivity_matrix *m,
-                                            const struct um_sensitivity_what_if *w)
+/* Additions of the rows, one a candidate: its own null values, and what is given. Returns how many.
+ */
+static size_t additions_of(const struct um_sensitivity_matrix *m, const size_t *row,
+                           const double *to, size_t n, struct um_model_addition *out)
 {
-  const struct um_sensitivity_candidate *c = m->row[w->row[0]].candidate;
-  struct um_model_addition a = {.effect = c->effect, .target = c->target};
-  memcpy(a.value, c->null_value, c->effect->nparameter * sizeof *a.value);
-  for (size_t i = 0; i < w->nrow; i++)
-    if (m->row[w->row[i]].parameter != SIZE_MAX) a.value[m->row[w->row[i]].parameter] = w->to[i];
-  return a;
+  size_t count = 0;
+  for (size_t i = 0; i < n; i++) {
+    const struct um_sensitivity_row *r = &m->row[row[i]];
+    const struct um_sensitivity_candidate *c = r->candidate;
+    size_t at = 0;
+    if (r->parameter == SIZE_MAX && !(to[i] > 0.5)) continue;
+    while (at < count &&
+           (out[at].effect != c->effect || !um_core_words_same(out[at].target, c->target)))
+      at++;
+    if (at == count) {
+      out[count] = (struct um_model_addition){.effect = c->effect, .target = c->target};
+      memcpy(out[count++].value, c->null_value, c->effect->nparameter * sizeof *out->value);
+    }
+    if (r->parameter != SIZE_MAX) out[at].value[r->parameter] = to[i];
+  }
+  return count;
+}
+
+enum um_status um_sensitivity_exact(struct um_context *context,
+                                    const struct um_sensitivity_matrix *m, const size_t *row,
+                                    const double *to, size_t n, double *out)
+{
+  enum um_status status;
+  struct um_model_addition *addition = NULL;
+  double *value = NULL;
+  for (size_t i = 0; i < n; i++)
+    if (!(to[i] >= m->row[row[i]].minimum && to[i] <= m->row[row[i]].maximum) &&
+        m->row[row[i]].parameter != SIZE_MAX)
+      return refuse(context, &m->row[row[i]], to[i]);
+  UM_CHECK(um_core_allocate(context, n, sizeof *addition, &addition));
+  UM_CHECK(um_core_allocate(context, m->list->nobservation, sizeof *value, &value));
+  size_t count = additions_of(m, row, to, n, addition);
+  UM_CHECK(um_sensitivity_forward_evaluate(context, m->forward, addition, count, value));
+  um_sensitivity_matrix_spread(m, value, out);
+done:
+  UM_FREE(context, addition, value);
+  return status;
 }
 
 static void hold_against(const struct um_sensitivity_matrix *m, struct um_sensitivity_what_if *w)
@@ -90,24 +122,20 @@ enum um_status um_sensitivity_what_if_create(struct um_context *context,
 {
   enum um_status status;
   size_t n = m->ncurve * m->ntime;
-  double *value = NULL, begin;
+  double begin;
   *w = (struct um_sensitivity_what_if){.nrow = 0};
   UM_CHECK(find_rows(context, m, wanted, w));
   UM_CHECK(um_core_allocate(context, n, sizeof *w->linear, &w->linear));
   UM_CHECK(um_core_allocate(context, n, sizeof *w->exact, &w->exact));
   UM_CHECK(um_core_allocate(context, m->ncurve, sizeof *w->error, &w->error));
-  UM_CHECK(um_core_allocate(context, m->list->nobservation, sizeof *value, &value));
   begin = omp_get_wtime();
   um_sensitivity_matrix_apply(m, w->row, w->to, w->nrow, w->linear);
   w->seconds = omp_get_wtime() - begin;
   begin = omp_get_wtime();
-  const struct um_model_addition a = addition_of(m, w);
-  UM_CHECK(um_sensitivity_forward_evaluate(context, m->forward, &a, 1, value));
-  um_sensitivity_matrix_spread(m, value, w->exact);
+  UM_CHECK(um_sensitivity_exact(context, m, w->row, w->to, w->nrow, w->exact));
   w->seconds_exact = omp_get_wtime() - begin;
   hold_against(m, w);
 done:
-  um_core_free(context, value);
   return status;
 }
 

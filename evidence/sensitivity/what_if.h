@@ -32,4 +32,11 @@ enum um_status um_sensitivity_what_if_create(struct um_context *context,
 void um_sensitivity_what_if_release(struct um_context *context,
                                     struct um_sensitivity_what_if *what_if);
 
+/* Curves [ncurve][ntime] as the model has them when rows [n] take values; of a switch above 0.5 is
+ * on. Others stand at their null values. UM_ERR_INPUT: a value out of the range of its parameter;
+ * UM_ERR_REFUSED as of um_sensitivity_forward_evaluate. */
+enum um_status um_sensitivity_exact(struct um_context *context,
+                                    const struct um_sensitivity_matrix *matrix, const size_t *row,
+                                    const double *to, size_t n, double *out);
+
 #endif

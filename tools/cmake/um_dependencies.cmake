@@ -13,6 +13,8 @@ elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN)
 endif()
 
 pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml)
+# the web server of umbra serve
+pkg_check_modules(MICROHTTPD REQUIRED IMPORTED_TARGET libmicrohttpd)
 pkg_check_modules(ERFA REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)

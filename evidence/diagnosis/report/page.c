@@ -354,7 +354,7 @@ enum um_status um_diagnosis_report_write_page(struct um_context *context,
   char *title = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s: what the model lacks",
                             diagnosis->forward->model->scenario->name));
-  const struct um_page_head head = {command, "diagnosis", title};
+  const struct um_page_head head = {command, "diagnosis", title, NULL};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
   UM_CHECK(um_page_write_report(context, w.page, folder));

@@ -196,22 +196,46 @@ static enum um_status sections(struct work *w)
   return errors(w, row, nrow);
 }
 
-enum um_status um_sensitivity_report_write_page(struct um_context *context,
-                                                const struct um_sensitivity_report *report,
-                                                struct um_core_folder *folder)
+/* The page in memory; the caller destroys. */
+static enum um_status make(struct um_context *context, const struct um_sensitivity_report *report,
+                           const char *token, struct um_page **out)
 {
   enum um_status status;
   struct work w = {.context = context, .m = report->matrix};
   char *title = NULL;
+  *out = NULL;
   UM_CHECK(um_core_asprintf(context, &title, "%s: what moves it",
                             report->matrix->forward->model->scenario->name));
-  const struct um_page_head head = {report->command, "sensitivity", title};
+  const struct um_page_head head = {report->command, "sensitivity", title, token};
   UM_CHECK(um_page_create(context, &head, &w.page));
   UM_CHECK(sections(&w));
-  UM_CHECK(um_page_write_report(context, w.page, folder));
+  *out = w.page;
+  w.page = NULL;
 done:
   um_page_destroy(context, &w.page);
   um_core_arena_release(context, &w.memory);
   um_core_free(context, title);
+  return status;
+}
+
+enum um_status um_sensitivity_report_write_page(struct um_context *context,
+                                                const struct um_sensitivity_report *report,
+                                                struct um_core_folder *folder)
+{
+  struct um_page *page;
+  UM_TRY(make(context, report, NULL, &page));
+  enum um_status status = um_page_write_report(context, page, folder);
+  um_page_destroy(context, &page);
+  return status;
+}
+
+enum um_status um_sensitivity_report_serve_page(struct um_context *context,
+                                                const struct um_sensitivity_report *report,
+                                                const char *token, FILE *file)
+{
+  struct um_page *page;
+  UM_TRY(make(context, report, token, &page));
+  enum um_status status = um_page_write(context, page, file);
+  um_page_destroy(context, &page);
   return status;
 }

@@ -27,6 +27,10 @@ enum um_status um_sensitivity_report_write(struct um_context *context,
 enum um_status um_sensitivity_report_write_page(struct um_context *context,
                                                 const struct um_sensitivity_report *report,
                                                 struct um_core_folder *folder);
+/* The same page as umbra serve brings it, with the token that its requests carry. UM_ERR_MEMORY. */
+enum um_status um_sensitivity_report_serve_page(struct um_context *context,
+                                                const struct um_sensitivity_report *report,
+                                                const char *token, FILE *file);
 /* The same numbers as one object, but for curves. Errors of writing are the stream's. */
 void um_sensitivity_report_write_json(const struct um_sensitivity_report *report, FILE *file);
 /* sensitivity.nc alone. UM_ERR_IO. */

@@ -14,7 +14,7 @@
 /* A page with one figure of each kind, as text; the caller frees. */
 static char *make(struct um_context *context)
 {
-  const struct um_page_head head = {"umbra run " HOSTILE, "run", HOSTILE};
+  const struct um_page_head head = {"umbra run " HOSTILE, "run", HOSTILE, NULL};
   const double x[] = {1.5e9, 1.5e9 + 1.0, 1.5e9 + 2.5}, y[] = {1.0, NAN, 3.0};
   const double z[] = {0, 1, 2, 3, 4, 5, 6, 7, 8}, error[] = {0.1, 0.2, 0.3};
   const double *derivative[] = {y};

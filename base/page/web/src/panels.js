@@ -11,6 +11,16 @@ import { onTheme } from "./theme.js";
 
 const HINT = "Point at the curves or use the arrow keys to read values; drag to zoom, double click to see all.";
 
+/** Magnitudes, or powers of ten, that an axis shows at most: what is fainter is dark. */
+const FAINTEST = 20;
+const DECADES = 8;
+
+/** What of [low, high] an axis shows at first. */
+function shownOf([low, high], scale) {
+  if (scale === "magnitude") return [low, Math.min(high, low + FAINTEST)];
+  return scale === "log" ? [Math.max(low, high / 10 ** DECADES), high] : [low, high];
+}
+
 /** Lower and upper ends of areas that stand on each other. */
 function stack(series) {
   let sum = null;
@@ -124,7 +134,7 @@ export function createPanels(o) {
       label: `${o.title}: ${nameAndUnit(p.name, p.unit)} over ${x.name}`,
       lines: lines.map((s) => ({ colour: s.colour, dash: s.dash, width: s.base !== undefined ? 0 : s.role === "part" || s.mark === "area" ? 1.25 : 1.9, step: s.mark === "step" })),
       data: () => (usable ? [o.xs, ...lines.map(drawn)] : [full]),
-      yRange: (from, to) => roomAbout(...reachOf(series, from, to, log), p.scale ?? "linear", p.zero || p.stacked),
+      yRange: (from, to) => roomAbout(...shownOf(reachOf(series, from, to, log), p.scale), p.scale ?? "linear", p.zero || p.stacked),
       snap,
       spoken: spokenOf(series, p.unit),
       dots: (at) =>
