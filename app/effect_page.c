@@ -95,6 +95,9 @@ void um_app_effect_manual(FILE *file, const struct umbra *umbra)
       "within the range is as good as another before the data. An effect of your own is added "
       "by\n`effect_files` with `--allow-effects`, or `--effect-file`: "
       "[examples/effects](../examples/effects/README.md).\n\n"
+      "Parameters of the same kind have the same name: `factor` multiplies what the effect is "
+      "about,\n`shift_UNIT` is added to it, an amount goes by its quantity and unit. Names until "
+      "0.4 are accepted\nwith a warning until 0.6; [CHANGELOG.md](../CHANGELOG.md) has them.\n\n"
       "| effect | by default | what it is |\n|---|---|---|\n",
       file);
   const struct umbra_effect *e;

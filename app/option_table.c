@@ -130,7 +130,7 @@ static const struct um_app_option table[] = {
      .default_value = "the scenario's instants, every band and place", .example = "--data pass.csv",
      .help = "Differentiate what was measured there, at its times (the file of umbra compare)."},
     {"what-if", "what-if", "EFFECT[:TARGET][,NAME=VALUE]...", LIST(what_if),
-     .offers = UM_APP_EFFECTS, .example = "--what-if emittance:mli,emittance_factor=1.1",
+     .offers = UM_APP_EFFECTS, .example = "--what-if emittance:mli,factor=1.1",
      .help = "The answer by the matrix beside the true one, and how far it is good."},
     {"elasticity", "elasticity", .takes = UM_APP_FLAG, AT(elasticity),
      .help = "Percent of a curve per percent of what a parameter changes, too."},

@@ -148,7 +148,7 @@ static const struct um_app_verb verbs[] = {
               "sensitivity.nc, parameters.csv, sensitivity.csv and a picture.",
      .examples = "umbra sensitivity scenarios/hidden-effect/dawn\n"
                  "umbra sensitivity scenarios/hidden-effect/dawn --only emittance --what-if "
-                 "emittance:mli,emittance_factor=1.1\n",
+                 "emittance:mli,factor=1.1\n",
      .run = um_app_sensitivity},
     {"diagnose", "SCENARIO MEASURED",
      "which physical effect the scenario lacks, or that the measurements cannot tell",
@@ -190,7 +190,7 @@ static const struct um_app_verb verbs[] = {
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file",
      .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",
-     .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,albedo_factor=1.2 "
+     .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,factor=1.2 "
                  "--noise 0.02 --seed 1 -o measured.csv\n",
      .run = um_app_synth},
     {"period", "MEASURED",

@@ -25,7 +25,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "albedo_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the scenario's albedo, in heat loads and in earthshine",
      .null_value = 1.0,
@@ -35,7 +35,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.5,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.1 to 0.8 at a place, 0.3 in the mean"},
+     .prior = "0.1 to 0.8 at a place, 0.3 in the mean",
+     .formerly = "albedo_factor"},
 };
 
 const struct um_effect um_effects_albedo_level = {

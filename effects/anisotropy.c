@@ -3,7 +3,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "across_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the alpha of the lobe across the grain of the part",
      .null_value = 1.0,
@@ -12,7 +12,8 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 10.0,
      .prior_sigma = 0.7,
      .logarithmic = true,
-     .prior = "tows and brushed metal 1 to 10 times as rough across as along"},
+     .prior = "tows and brushed metal 1 to 10 times as rough across as along",
+     .formerly = "across_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->lobe.log_across += log(use->value[0]))

@@ -14,7 +14,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "area_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the area of every surface of the part",
      .null_value = 1.0,
@@ -24,7 +24,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.2,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.7 to 1.3 of the area of a drawing"},
+     .prior = "0.7 to 1.3 of the area of a drawing",
+     .formerly = "area_factor"},
 };
 
 static enum um_status geometry(struct um_context *context, const struct um_effect_use *use,

@@ -18,7 +18,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "emissivity_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the emissivity above 2.5 um",
      .null_value = 1.0,
@@ -28,7 +28,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.15,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.75 to 1.1 of the total emittance"},
+     .prior = "0.75 to 1.1 of the total emittance",
+     .formerly = "emissivity_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->band_emissivity_scale *= use->value[0])

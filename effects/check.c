@@ -53,20 +53,31 @@ static enum um_status check_values(struct um_context *context, const struct um_e
   return UM_OK;
 }
 
+/* A word, and no name that something else of the effect has or had. */
+static enum um_status check_name(struct um_context *context, const struct um_effect *e,
+                                 size_t index, const char *name, bool former)
+{
+  bool again = false;
+  for (size_t i = 0; is_word(name) && i <= index; i++) {
+    const struct um_effect_parameter *p = &e->parameters[i];
+    again = again || ((i < index || former) && strcmp(p->name, name) == 0) ||
+            (i < index && p->formerly != NULL && strcmp(p->formerly, name) == 0);
+  }
+  for (size_t i = 0; is_word(name) && i < sizeof taken / sizeof taken[0]; i++)
+    again = again || strcmp(name, taken[i]) == 0;
+  if (is_word(name) && !again) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect '%s': parameter %zu %s called '%.60s'; accepted: a word of "
+                      "letters, digits and _, used once, not effect, target or off",
+                      e->name, index + 1, former ? "was" : "is", name != NULL ? name : "");
+}
+
 static enum um_status check_parameter(struct um_context *context, const struct um_effect *e,
                                       size_t index)
 {
   const struct um_effect_parameter *p = &e->parameters[index];
-  bool again = false;
-  if (is_word(p->name))
-    for (size_t i = 0; i < index; i++) again = again || strcmp(e->parameters[i].name, p->name) == 0;
-  for (size_t i = 0; is_word(p->name) && i < sizeof taken / sizeof taken[0]; i++)
-    again = again || strcmp(p->name, taken[i]) == 0;
-  if (!is_word(p->name) || again)
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect '%s': parameter %zu is called '%.60s'; accepted: a word of "
-                        "letters, digits and _, used once, not effect, target or off",
-                        e->name, index + 1, p->name != NULL ? p->name : "");
+  UM_TRY(check_name(context, e, index, p->name, false));
+  if (p->formerly != NULL) UM_TRY(check_name(context, e, index, p->formerly, true));
   if (!is_text(p->unit) || !is_text(p->help))
     return um_core_fail(context, UM_ERR_INPUT,
                         "effect '%s': parameter '%s' has no %s; accepted: a text", e->name, p->name,

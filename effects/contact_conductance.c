@@ -26,7 +26,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "conductance_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the conductance that the scenario states",
      .null_value = 1.0,
@@ -37,7 +37,8 @@ static const struct um_effect_parameter parameters[] = {
      .logarithmic = true,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.05 to 5 W/K for one joint, a factor of 10 either way"},
+     .prior = "0.05 to 5 W/K for one joint, a factor of 10 either way",
+     .formerly = "conductance_factor"},
 };
 
 const struct um_effect um_effects_contact_conductance = {

@@ -13,7 +13,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "diffuse_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the diffuse reflectance",
      .null_value = 1.0,
@@ -23,7 +23,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.3,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface"},
+     .prior = "diffuse reflectances of 0 to 0.3 are quoted for one surface",
+     .formerly = "diffuse_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->diffuse_scale *= use->value[0])

@@ -27,7 +27,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "brightness_temperature_shift_K",
+    {.name = "shift_K",
      .unit = "K",
      .help = "added to the scenario's brightness temperature of the Earth",
      .null_value = 0.0,
@@ -36,7 +36,8 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 80.0,
      .prior_sigma = 20.0,
      .stated = stated,
-     .prior = "220 K over cloud to 290 K over desert"},
+     .prior = "220 K over cloud to 290 K over desert",
+     .formerly = "brightness_temperature_shift_K"},
 };
 
 const struct um_effect um_effects_earth_brightness = {

@@ -18,7 +18,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "olr_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the scenario's outgoing longwave radiation",
      .null_value = 1.0,
@@ -28,7 +28,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.15,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "150 to 300 W/m^2 about 237"},
+     .prior = "150 to 300 W/m^2 about 237",
+     .formerly = "olr_factor"},
 };
 
 const struct um_effect um_effects_earth_ir_level = {

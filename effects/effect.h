@@ -21,6 +21,9 @@
 
 #define UM_EFFECT_ABI_VERSION 6
 
+/* The version of the program that no longer accepts `formerly` of a parameter. */
+#define UM_EFFECT_FORMERLY_UNTIL "0.6"
+
 enum um_effect_target {
   UM_TARGET_GLOBAL = 1,
   UM_TARGET_PART = 2,
@@ -44,6 +47,12 @@ struct um_effect_stated {
   double null_value;            /* its value in the scenario, where the whole is `value` */
 };
 
+/* How parameters are called, so that the same kind has the same name in every effect:
+ * - `factor`: a number without unit that multiplies what the effect is about;
+ * - `shift_UNIT`, `shift` where there is no unit: a difference that is added to it;
+ * - an amount goes by its quantity and unit: `power_W`, `capacity_J_K`, `depth`, `share`,
+ *   `angle_deg`. So does what changes another number than the one that the effect is about:
+ *   `inertia_shift` of `nutation`. */
 struct um_effect_parameter {
   const char *name; /* with unit: "power_W" */
   const char *unit; /* "W", "1" */
@@ -71,6 +80,9 @@ struct um_effect_parameter {
    * the whole and keeps it physical. NULL, or nothing said: there is none. */
   void (*stated)(const struct um_effect_nominal *, struct um_effect_stated *);
   enum um_effect_change change; /* how it changes what is stated */
+  /* Its name before this version, which users' files may still have; NULL: none. It is accepted
+   * with a warning until UM_EFFECT_FORMERLY_UNTIL. */
+  const char *formerly;
 };
 
 /* Parameters are fitted, and their priors stand, in the unit of their prior: the logarithm of a

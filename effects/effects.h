@@ -35,13 +35,24 @@ const struct um_effect *um_effects_registry_at(const struct um_effects_registry 
 const struct um_effect *um_effects_registry_find(const struct um_effects_registry *registry,
                                                  const char *name);
 void um_effects_registry_names(const struct um_effects_registry *registry, char *out, size_t size);
-/* UM_ERR_INPUT for a name that no effect has, or no parameter of an effect: the nearest one and
- * what is accepted. */
+/* UM_ERR_INPUT for a name that no effect has: the nearest one and what is accepted. */
 enum um_status um_effects_registry_refuse(struct um_context *context,
                                           const struct um_effects_registry *registry,
                                           const char *name);
-enum um_status um_effects_refuse_parameter(struct um_context *context,
-                                           const struct um_effect *effect, const char *name);
+
+/* Which parameter of the effect is called so, now or before (`formerly`); nparameter: none is. For
+ * names that were accepted before; the program compares names nowhere else. Does not fail. */
+size_t um_effects_parameter_find(const struct um_effect *effect, const char *name);
+/* The names by which one use has said its parameters; all NULL before the first. Borrowed. */
+struct um_effects_said {
+  const char *name[UM_EFFECT_PARAMETERS_MAX];
+};
+/* The same for a name that a user writes. One from before is a warning in the log, once a use.
+ * said: of the use, takes the name. UM_ERR_INPUT: no parameter is called so, with the nearest one
+ * and what is accepted; the use has it by its other name already. */
+enum um_status um_effects_parameter_read(struct um_context *context, const struct um_effect *effect,
+                                         const char *name, struct um_effects_said *said,
+                                         size_t *out);
 
 /* A descriptor that the program can work with: ABI, texts, targets, parameters within their bounds,
  * something that acts. UM_ERR_INPUT with "effect 'NAME': what is wrong; accepted: ...". */

@@ -16,7 +16,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "emittance_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the total emittance and of the spectral emissivity above 2.5 um",
      .null_value = 1.0,
@@ -26,7 +26,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.12,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.1 to 0.2 of an emittance of 0.8"},
+     .prior = "0.1 to 0.2 of an emittance of 0.8",
+     .formerly = "emittance_factor"},
 };
 
 const struct um_effect um_effects_emittance = {

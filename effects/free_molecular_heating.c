@@ -14,7 +14,7 @@
 UM_EFFECT_ON_ENVIRONMENT(add, environment->gas_density_factor += ACCOMMODATION * use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "density_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "f of the density at mean solar activity, with an accommodation of 0.9",
      .null_value = 0.0,
@@ -22,7 +22,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 100.0,
      .prior_sigma = 3.0,
-     .prior = "0.3 to 3 of the mean at 400 km between quiet and active Sun, 0.1 to 10 at 700 km"},
+     .prior = "0.3 to 3 of the mean at 400 km between quiet and active Sun, 0.1 to 10 at 700 km",
+     .formerly = "density_factor"},
 };
 
 const struct um_effect um_effects_free_molecular_heating = {

@@ -51,7 +51,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "capacity_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the heat capacity of walls, solids and MLI skins",
      .null_value = 1.0,
@@ -62,7 +62,8 @@ static const struct um_effect_parameter parameters[] = {
      .logarithmic = true,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "panels 2000 to 10000, MLI 20 to 100 J/m^2/K, a factor of 2 either way"},
+     .prior = "panels 2000 to 10000, MLI 20 to 100 J/m^2/K, a factor of 2 either way",
+     .formerly = "capacity_factor"},
 };
 
 const struct um_effect um_effects_heat_capacity = {

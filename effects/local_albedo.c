@@ -6,7 +6,7 @@
 UM_EFFECT_ON_ENVIRONMENT(scale, environment->region.albedo_factor *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "local_albedo_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the albedo of that part of the Earth, in heat loads and in earthshine",
      .null_value = 1.0,
@@ -14,7 +14,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 5.0,
      .prior_sigma = 0.5,
-     .prior = "0.1 over ocean to 0.8 over ice and cloud, 0.3 in the mean"},
+     .prior = "0.1 over ocean to 0.8 over ice and cloud, 0.3 in the mean",
+     .formerly = "local_albedo_factor"},
 };
 
 const struct um_effect um_effects_local_albedo = {

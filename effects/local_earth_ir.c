@@ -7,7 +7,7 @@ UM_EFFECT_ON_ENVIRONMENT(change, environment->region.longwave_factor *= use->val
                          environment->region.brightness_shift += use->value[1])
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "local_olr_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the outgoing longwave radiation of that part of the Earth",
      .null_value = 1.0,
@@ -15,8 +15,9 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.2,
-     .prior = "130 W/m^2 over high cloud to 310 over desert, 237 in the mean"},
-    {.name = "local_brightness_shift_K",
+     .prior = "130 W/m^2 over high cloud to 310 over desert, 237 in the mean",
+     .formerly = "local_olr_factor"},
+    {.name = "shift_K",
      .unit = "K",
      .help = "added to its brightness temperature in the band, which the satellite reflects",
      .null_value = 0.0,
@@ -24,7 +25,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -120.0,
      .maximum = 80.0,
      .prior_sigma = 25.0,
-     .prior = "210 K over high cloud to 310 K over desert"},
+     .prior = "210 K over high cloud to 310 K over desert",
+     .formerly = "local_brightness_shift_K"},
 };
 
 const struct um_effect um_effects_local_earth_ir = {

@@ -31,7 +31,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "emittance_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the effective emittance e* that the scenario states",
      .null_value = 1.0,
@@ -42,7 +42,8 @@ static const struct um_effect_parameter parameters[] = {
      .logarithmic = true,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "0.005 to 0.05 about 0.016, a factor of 3 either way"},
+     .prior = "0.005 to 0.05 about 0.016, a factor of 3 either way",
+     .formerly = "emittance_factor"},
 };
 
 const struct um_effect um_effects_mli_emittance = {

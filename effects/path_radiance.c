@@ -14,7 +14,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 1e-3,
      .prior_sigma = INFINITY,
      .prior = "a share of the sky's heat that depends on how it is subtracted: none"},
-    {.name = "optical_depth",
+    {.name = "depth",
      .unit = "1",
      .help = "of the air at the zenith",
      .null_value = 0.3,
@@ -23,7 +23,8 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 20.0,
      .prior_sigma = 0.5,
      .logarithmic = true,
-     .prior = "8 to 12 um: 0.15 in dry air, 0.7 in humid air"},
+     .prior = "8 to 12 um: 0.15 in dry air, 0.7 in humid air",
+     .formerly = "optical_depth"},
 };
 
 static enum um_status observation(struct um_context *context, const struct um_effect_use *use,

@@ -12,7 +12,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "alpha_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the alpha of the lobe",
      .null_value = 1.0,
@@ -22,7 +22,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.4,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "formulas from a measured roughness differ by factors of 0.5 to 1.8"},
+     .prior = "formulas from a measured roughness differ by factors of 0.5 to 1.8",
+     .formerly = "alpha_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->roughness_scale *= use->value[0])

@@ -27,7 +27,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "shadow_radius_shift_km",
+    {.name = "shift_km",
      .unit = "km",
      .help = "added to the radius of the body that casts the shadow; of the ellipsoid, the "
              "equatorial one",
@@ -38,7 +38,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 10.0,
      .stated = stated,
      .prior =
-         "21 km between sphere and ellipsoid, 7 km between radii in use, some 10 km of atmosphere"},
+         "21 km between sphere and ellipsoid, 7 km between radii in use, some 10 km of atmosphere",
+     .formerly = "shadow_radius_shift_km"},
 };
 
 const struct um_effect um_effects_shadow_radius = {

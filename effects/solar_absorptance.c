@@ -18,7 +18,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "absorptance_shift",
+    {.name = "shift",
      .unit = "1",
      .help = "added to the solar absorptance, taken from the diffuse reflectance below 2.5 um",
      .null_value = 0.0,
@@ -27,7 +27,8 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 0.5,
      .prior_sigma = 0.15,
      .stated = stated,
-     .prior = "ageing gives 0 to 0.3"},
+     .prior = "ageing gives 0 to 0.3",
+     .formerly = "absorptance_shift"},
 };
 
 const struct um_effect um_effects_solar_absorptance = {

@@ -11,7 +11,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "irradiance_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the scenario's solar irradiance at 1 au",
      .null_value = 1.0,
@@ -21,7 +21,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.017,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "3.4 % where the distance of the Sun was left out"},
+     .prior = "3.4 % where the distance of the Sun was left out",
+     .formerly = "irradiance_factor"},
 };
 
 const struct um_effect um_effects_solar_irradiance = {

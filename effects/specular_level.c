@@ -13,7 +13,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "F_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the specular reflectance",
      .null_value = 1.0,
@@ -23,7 +23,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.2,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "20 % of a reflectance measured at one angle"},
+     .prior = "20 % of a reflectance measured at one angle",
+     .formerly = "F_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->specular_scale *= use->value[0])

@@ -10,7 +10,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "relative",
+    {.name = "relative_shift",
      .unit = "1",
      .help = "relative error of the period",
      .null_value = 0.0,
@@ -20,7 +20,8 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 0.05,
      .stated = stated,
      .change = UM_CHANGE_STRETCHES,
-     .prior = "1e-4 to 0.1; 175 and 213 s are both printed for ENVISAT"},
+     .prior = "1e-4 to 0.1; 175 and 213 s are both printed for ENVISAT",
+     .formerly = "relative"},
 };
 
 static enum um_status law(struct um_context *context, const struct um_effect_use *use,

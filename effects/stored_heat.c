@@ -19,7 +19,7 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "delta_K",
+    {.name = "shift_K",
      .unit = "K",
      .help = "by which the inside is warmer when the run begins, orbits_before ahead of the first "
              "observation",
@@ -28,7 +28,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -200.0,
      .maximum = 500.0,
      .prior_sigma = 50.0,
-     .prior = "50 K either way where loads or attitude changed lately"},
+     .prior = "50 K either way where loads or attitude changed lately",
+     .formerly = "delta_K"},
 };
 
 const struct um_effect um_effects_stored_heat = {

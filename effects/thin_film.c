@@ -4,7 +4,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "thickness_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "factor of the thickness of all layers on the substrate; 0: bare",
      .null_value = 1.0,
@@ -12,7 +12,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = 0.0,
      .maximum = 3.0,
      .prior_sigma = 0.3,
-     .prior = "sheet is sold in steps of a factor of 2, coatings vary by 5 to 30 % over a surface"},
+     .prior = "sheet is sold in steps of a factor of 2, coatings vary by 5 to 30 % over a surface",
+     .formerly = "thickness_factor"},
 };
 
 UM_EFFECT_ON_MATERIAL(material, adjustment->thickness_scale *= use->value[0])

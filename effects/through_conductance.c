@@ -47,7 +47,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 }
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "conductance_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the conductance through the wall that the scenario states",
      .null_value = 1.0,
@@ -58,7 +58,8 @@ static const struct um_effect_parameter parameters[] = {
      .logarithmic = true,
      .stated = stated,
      .change = UM_CHANGE_SCALES,
-     .prior = "honeycomb 20 to 200 W/m^2/K about 63, a factor of 3 either way"},
+     .prior = "honeycomb 20 to 200 W/m^2/K about 63, a factor of 3 either way",
+     .formerly = "conductance_factor"},
 };
 
 const struct um_effect um_effects_through_conductance = {

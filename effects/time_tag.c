@@ -3,7 +3,7 @@
 #include "effects/list_impl.h"
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "bias_s",
+    {.name = "shift_s",
      .unit = "s",
      .help = "tag minus true time",
      .null_value = 0.0,
@@ -11,7 +11,8 @@ static const struct um_effect_parameter parameters[] = {
      .minimum = -100.0,
      .maximum = 100.0,
      .prior_sigma = 1.0,
-     .prior = "1 ms to 1 s without a disciplined clock"},
+     .prior = "1 ms to 1 s without a disciplined clock",
+     .formerly = "bias_s"},
 };
 
 static double true_time(const struct um_effect_use *use, double t_tai)

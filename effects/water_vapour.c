@@ -5,7 +5,7 @@
 UM_EFFECT_ON_SKY(scale, sky->water *= use->value[0])
 
 static const struct um_effect_parameter parameters[] = {
-    {.name = "water_factor",
+    {.name = "factor",
      .unit = "1",
      .help = "of the scenario's precipitable water",
      .null_value = 1.0,
@@ -14,7 +14,8 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 10.0,
      .prior_sigma = 0.5,
      .logarithmic = true,
-     .prior = "day-to-day scatter about a season's mean at mid-latitudes"},
+     .prior = "day-to-day scatter about a season's mean at mid-latitudes",
+     .formerly = "water_factor"},
 };
 
 const struct um_effect um_effects_water_vapour = {

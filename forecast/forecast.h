@@ -53,7 +53,7 @@ struct um_forecast_place {
 
 /* A parameter that is uncertain; texts are the forecast's. */
 struct um_forecast_uncertain {
-  const char *name, *unit; /* "emittance:mli.emittance_factor"; "" where no unit is known */
+  const char *name, *unit; /* "emittance:mli.factor"; "" where no unit is known */
   double value, sigma;     /* in the scenario, 1 sigma [its unit] */
 };
 

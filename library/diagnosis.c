@@ -145,11 +145,10 @@ static enum um_status wanted_of(struct um_context *context, const struct um_mode
   if (effect == NULL) return um_effects_registry_refuse(context, model->registry, change->effect);
   UM_TRY(um_model_check_target(context, model, effect, change->target));
   *out = (struct um_model_addition){.effect = effect, .target = change->target};
-  for (size_t p = 0; p < effect->nparameter; p++) {
-    out->value[p] = NAN;
-    for (size_t i = 0; i < change->nparameter; i++)
-      if (strcmp(change->parameter[i], effect->parameters[p].name) == 0)
-        out->value[p] = change->value[i];
+  for (size_t p = 0; p < effect->nparameter; p++) out->value[p] = NAN;
+  for (size_t i = 0; i < change->nparameter; i++) {
+    size_t p = um_effects_parameter_find(effect, change->parameter[i]);
+    if (p < effect->nparameter) out->value[p] = change->value[i];
   }
   return UM_OK;
 }

@@ -73,32 +73,36 @@ enum um_status um_library_take_key(struct um_context *context, const char *key, 
   return UM_OK;
 }
 
-static enum um_status check_value(struct um_context *context, const struct um_effect *effect,
-                                  const char *name, double value)
+static enum um_status read_value(struct um_context *context, const char *name, double value,
+                                 struct um_effects_said *said,
+                                 struct um_library_effect_numbers *out)
 {
-  for (size_t p = 0; p < effect->nparameter; p++) {
-    const struct um_effect_parameter *parameter = &effect->parameters[p];
-    if (strcmp(parameter->name, name) != 0) continue;
-    if (value >= parameter->minimum && value <= parameter->maximum) return UM_OK;
-    return um_core_fail(context, UM_ERR_INPUT, "%s: %s: %g is out of range; accepted: %g to %g %s",
-                        effect->name, name, value, parameter->minimum, parameter->maximum,
-                        parameter->unit);
-  }
-  return um_effects_refuse_parameter(context, effect, name);
+  size_t p;
+  UM_TRY(um_effects_parameter_read(context, out->effect, name, said, &p));
+  const struct um_effect_parameter *parameter = &out->effect->parameters[p];
+  out->said[p] = true;
+  out->value[p] = value;
+  if (value >= parameter->minimum && value <= parameter->maximum) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "%s: %s: %g is out of range; accepted: %g to %g %s",
+                      out->effect->name, name, value, parameter->minimum, parameter->maximum,
+                      parameter->unit);
 }
 
-enum um_status um_library_check_effect_change(struct um_context *context,
-                                              const struct um_effects_registry *registry,
-                                              const struct umbra_effect_change *change)
+enum um_status um_library_read_effect_change(struct um_context *context,
+                                             const struct um_effects_registry *registry,
+                                             const struct umbra_effect_change *change,
+                                             struct um_library_effect_numbers *out)
 {
+  struct um_effects_said said = {{NULL}};
   UM_TRY(
       um_library_check_size(context, "struct umbra_effect_change", change->size, sizeof *change));
   if (change->effect == NULL)
     return um_core_fail(context, UM_ERR_INPUT, "a change names no effect; accepted: one");
   const struct um_effect *effect = um_effects_registry_find(registry, change->effect);
   if (effect == NULL) return um_effects_registry_refuse(context, registry, change->effect);
+  *out = (struct um_library_effect_numbers){.effect = effect};
   for (size_t p = 0; p < change->nparameter; p++)
-    UM_TRY(check_value(context, effect, change->parameter[p], change->value[p]));
+    UM_TRY(read_value(context, change->parameter[p], change->value[p], &said, out));
   if (change->target != NULL && effect->targets == UM_TARGET_GLOBAL)
     return um_core_fail(context, UM_ERR_INPUT, "%s acts on everything; accepted: no target",
                         effect->name);
@@ -112,13 +116,22 @@ enum um_status um_library_take_change(struct um_context *context,
                                       const struct umbra_effect_change *change,
                                       struct um_library_source *source)
 {
-  UM_TRY(um_library_check_effect_change(context, registry, change));
+  struct um_library_effect_numbers numbers;
+  const char *name[UM_EFFECT_PARAMETERS_MAX];
+  double value[UM_EFFECT_PARAMETERS_MAX];
+  size_t n = 0;
+  UM_TRY(um_library_read_effect_change(context, registry, change, &numbers));
+  for (size_t p = 0; p < numbers.effect->nparameter; p++) {
+    if (!numbers.said[p]) continue;
+    name[n] = numbers.effect->parameters[p].name;
+    value[n++] = numbers.value[p];
+  }
   const struct um_model_change typed = {.effect = change->effect,
                                         .target = change->target,
                                         .off = change->off != 0,
-                                        .parameter = change->parameter,
-                                        .value = change->value,
-                                        .nparameter = change->nparameter};
+                                        .parameter = name,
+                                        .value = value,
+                                        .nparameter = n};
   return um_library_source_add_change(context, source, &typed);
 }
 

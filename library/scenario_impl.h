@@ -16,10 +16,17 @@ enum um_status um_library_check_change(struct um_context *context,
 /* A key with a number, text NULL, or with YAML text, which the change borrows. UM_ERR_INPUT. */
 enum um_status um_library_take_key(struct um_context *context, const char *key, double number,
                                    const char *text, struct um_document_change *out);
-/* Is it a change that its effect can take? UM_ERR_INPUT. */
-enum um_status um_library_check_effect_change(struct um_context *context,
-                                              const struct um_effects_registry *registry,
-                                              const struct umbra_effect_change *change);
+/* What a caller's change says of its effect, by the effect's parameters. */
+struct um_library_effect_numbers {
+  const struct um_effect *effect;
+  bool said[UM_EFFECT_PARAMETERS_MAX];
+  double value[UM_EFFECT_PARAMETERS_MAX]; /* where said */
+};
+/* UM_ERR_INPUT: not a change that its effect can take. */
+enum um_status um_library_read_effect_change(struct um_context *context,
+                                             const struct um_effects_registry *registry,
+                                             const struct umbra_effect_change *change,
+                                             struct um_library_effect_numbers *out);
 /* Check a caller's change against the effect, and add it. UM_ERR_INPUT. */
 enum um_status um_library_take_change(struct um_context *context,
                                       const struct um_effects_registry *registry,

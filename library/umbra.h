@@ -108,7 +108,8 @@ struct umbra_effect_change {
   const char *target; /* NULL: an effect on everything; of one that is turned off: all its uses */
   int off;            /* not 0: off */
   /* [nparameter] names and values in the parameters' units; others keep what the scenario says, or
-   * their defaults */
+   * their defaults. The name that a parameter had in the version before is accepted with a warning
+   * in the log. */
   const char *const *parameter;
   const double *value;
   size_t nparameter;
@@ -438,7 +439,7 @@ const struct umbra_verdict *umbra_result_verdict(const struct umbra_result *resu
 
 /* A column of the matrix: a parameter of an effect on a target. */
 struct umbra_derivative {
-  const char *name; /* "emittance:mli.emittance_factor"; a switch that is off, "albedo" */
+  const char *name;                    /* "emittance:mli.factor"; a switch that is off, "albedo" */
   const char *effect, *target;         /* target NULL: everything */
   const char *parameter;               /* NULL: a switch, of which the column is the whole change */
   const char *unit;                    /* of the parameter */

@@ -88,11 +88,11 @@ void um_library_changes_clear(struct um_context *context, struct um_library_chan
 }
 
 /* What the model has of the effect's parameters, or their defaults, then what is said. */
-static void addition_of(const struct um_model *model, const struct umbra_effect_change *from,
-                        struct um_model_addition *to)
+static void addition_of(const struct um_model *model, const char *target,
+                        const struct um_library_effect_numbers *from, struct um_model_addition *to)
 {
-  to->effect = um_model_effects_find(model, from->effect);
-  to->target = from->target;
+  to->effect = from->effect;
+  to->target = target;
   for (size_t p = 0; p < to->effect->nparameter; p++)
     to->value[p] = to->effect->parameters[p].default_value;
   for (size_t i = 0; i < model->neffect; i++) {
@@ -100,19 +100,18 @@ static void addition_of(const struct um_model *model, const struct umbra_effect_
     if (e->effect == to->effect && um_core_words_same(e->target, to->target))
       memcpy(to->value, e->value, to->effect->nparameter * sizeof *to->value);
   }
-  for (size_t k = 0; k < from->nparameter; k++)
-    for (size_t p = 0; p < to->effect->nparameter; p++)
-      if (strcmp(to->effect->parameters[p].name, from->parameter[k]) == 0)
-        to->value[p] = from->value[k];
+  for (size_t p = 0; p < to->effect->nparameter; p++)
+    if (from->said[p]) to->value[p] = from->value[p];
 }
 
 static enum um_status take_effect(struct um_context *context, const struct um_model *model,
                                   const struct umbra_effect_change *from,
                                   struct um_library_changes *to)
 {
-  UM_TRY(um_library_check_effect_change(context, model->registry, from));
+  struct um_library_effect_numbers numbers;
+  UM_TRY(um_library_read_effect_change(context, model->registry, from, &numbers));
   if (from->off == 0) {
-    addition_of(model, from, &to->addition[to->all.naddition++]);
+    addition_of(model, from->target, &numbers, &to->addition[to->all.naddition++]);
     return UM_OK;
   }
   UM_TRY(um_core_asprintf(context, &to->off[to->all.nwithout], "%s%s%s", from->effect,

@@ -56,6 +56,20 @@ static enum um_status material_binding(struct um_context *context, const struct 
   return UM_OK;
 }
 
+/* By its name, or the one it had before; results have the present one. */
+static enum um_status find_parameter(struct um_context *context,
+                                     const struct um_study_file_parameter *p,
+                                     struct um_study_binding *out)
+{
+  struct um_effects_said said = {{NULL}};
+  struct um_study_file_parameter present = *p;
+  UM_TRY(blame(context, p, "parameter",
+               um_effects_parameter_read(context, out->effect, p->parameter, &said, &out->which)));
+  present.parameter = out->effect->parameters[out->which].name;
+  um_study_parameter_name(&present, out->name);
+  return UM_OK;
+}
+
 static enum um_status effect_binding(struct um_context *context, const struct um_model *model,
                                      const struct um_study_file_parameter *p,
                                      struct um_study_binding *out)
@@ -71,20 +85,12 @@ static enum um_status effect_binding(struct um_context *context, const struct um
   if (effect->nparameter == 0)
     return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
                                  "'%s' is on or off and has no number to move", effect->name);
-  out->which = effect->nparameter;
-  for (size_t k = 0; k < effect->nparameter; k++)
-    if (p->parameter != NULL ? strcmp(effect->parameters[k].name, p->parameter) == 0
-                             : effect->nparameter == 1)
-      out->which = k;
-  if (out->which == effect->nparameter) {
-    if (p->parameter == NULL)
-      return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
-                                   "'%s' has %zu parameters; accepted: parameter beside it, one of "
-                                   "`umbra effects %s`",
-                                   effect->name, effect->nparameter, effect->name);
-    return blame(context, p, "parameter",
-                 um_effects_refuse_parameter(context, effect, p->parameter));
-  }
+  if (p->parameter == NULL && effect->nparameter > 1)
+    return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
+                                 "'%s' has %zu parameters; accepted: parameter beside it, one of "
+                                 "`umbra effects %s`",
+                                 effect->name, effect->nparameter, effect->name);
+  if (p->parameter != NULL) UM_TRY(find_parameter(context, p, out));
   out->unit = effect->parameters[out->which].unit;
   out->nominal = value_in(model, out);
   return UM_OK;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/build/build.h"
+#include "model/build/effects.h"
 #include "model/run/balance.h"
 #include "model/run/run.h"
 #include "variant/evaluator.h"
@@ -131,7 +132,8 @@ static enum um_status follow(struct um_context *context, const struct um_variant
 }
 
 /* which: NULL for the scenario as it is. */
-static enum um_status case_make(struct um_context *context, struct um_variant_evaluator *evaluator,
+static enum um_status case_make(struct um_context *context, const struct um_model *model,
+                                struct um_variant_evaluator *evaluator,
                                 const struct um_scenario_case *which, struct um_variant_case *out)
 {
   enum um_status status;
@@ -141,6 +143,8 @@ static enum um_status case_make(struct um_context *context, struct um_variant_ev
   out->analysis = which ? (enum um_variant_analysis)which->analysis : UM_ANALYSIS_TRANSIENT;
   bool transient = out->analysis == UM_ANALYSIS_TRANSIENT;
   UM_CHECK(changes_of(context, which, &changes));
+  for (size_t i = 0; i < changes.all.nwith; i++)
+    UM_CHECK(um_model_check_with(context, model, changes.all.with[i]));
   UM_CHECK(um_core_asprintf(context, &out->name, "%s", which ? which->name : "nominal"));
   UM_CHECK(um_variant_open(context, evaluator, &changes.all, transient ? &cold : NULL, &v));
   UM_CHECK(places_begin(context, v.model, out));
@@ -180,7 +184,7 @@ enum um_status um_variant_cases_create(struct um_context *context, const char *p
   for (size_t i = 0; i < cases->count; i++) {
     um_core_log(context, UM_LOG_INFO, "case %zu of %zu: %s", i + 1, cases->count,
                 n > 0 ? which[i].name : "nominal");
-    UM_CHECK(case_make(context, evaluator, n > 0 ? &which[i] : NULL, &cases->item[i]));
+    UM_CHECK(case_make(context, model, evaluator, n > 0 ? &which[i] : NULL, &cases->item[i]));
   }
   *out = cases;
   cases = NULL;

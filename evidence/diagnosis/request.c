@@ -126,18 +126,16 @@ static enum um_status take_nuisance(struct um_context *context, const struct um_
 }
 
 static enum um_status set_start(struct um_context *context, struct um_model_addition *a,
-                                const char *name, const char *text)
+                                struct um_effects_said *said, const char *name, const char *text)
 {
-  for (size_t p = 0; p < a->effect->nparameter; p++) {
-    const struct um_effect_parameter *parameter = &a->effect->parameters[p];
-    if (strcmp(parameter->name, name) != 0) continue;
-    if (um_core_number_parse(text, &a->value[p]) && a->value[p] >= parameter->minimum &&
-        a->value[p] <= parameter->maximum)
-      return UM_OK;
-    return um_core_fail(context, UM_ERR_INPUT, "%s '%.60s'; accepted: %g to %g %s", name, text,
-                        parameter->minimum, parameter->maximum, parameter->unit);
-  }
-  return um_effects_refuse_parameter(context, a->effect, name);
+  size_t p;
+  UM_TRY(um_effects_parameter_read(context, a->effect, name, said, &p));
+  const struct um_effect_parameter *parameter = &a->effect->parameters[p];
+  if (um_core_number_parse(text, &a->value[p]) && a->value[p] >= parameter->minimum &&
+      a->value[p] <= parameter->maximum)
+    return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT, "%s '%.60s'; accepted: %g to %g %s", name, text,
+                      parameter->minimum, parameter->maximum, parameter->unit);
 }
 
 static enum um_status take_wanted(struct um_context *context, const struct um_model *model,
@@ -145,6 +143,7 @@ static enum um_status take_wanted(struct um_context *context, const struct um_mo
 {
   char *text, *target, *rest, *name, *value;
   struct um_model_addition wanted = {0};
+  struct um_effects_said said = {{NULL}};
   UM_TRY(keep(context, r, typed, &text));
   cut(text, &target, &rest);
   UM_TRY(find_effect(context, model, text, &wanted.effect));
@@ -153,7 +152,7 @@ static enum um_status take_wanted(struct um_context *context, const struct um_mo
   for (size_t p = 0; p < wanted.effect->nparameter; p++) wanted.value[p] = NAN;
   while (*rest != '\0') {
     UM_TRY(next_pair(context, &rest, &name, &value));
-    UM_TRY(set_start(context, &wanted, name, value));
+    UM_TRY(set_start(context, &wanted, &said, name, value));
   }
   for (size_t i = 0; i < r->nwanted; i++)
     if (r->wanted[i].effect == wanted.effect && um_core_words_same(r->wanted[i].target, target))

@@ -28,7 +28,7 @@ static void add(struct text *text, const char *format, ...)
   if (text->used >= sizeof text->at) text->used = sizeof text->at - 1;
 }
 
-/* "emittance:white emittance_factor 0.9 +- 0.01 (emittance 0.77 instead of 0.85)" */
+/* "emittance:white factor 0.9 +- 0.01 (emittance 0.77 instead of 0.85)" */
 static void add_use(struct text *text, const struct um_diagnosis *d, const struct um_effect *effect,
                     const char *target, const double *value, const double *sigma)
 {

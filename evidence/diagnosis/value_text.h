@@ -18,7 +18,7 @@ bool um_diagnosis_whole_find(const struct um_sensitivity_forward *forward,
                              double value, double sigma, struct um_diagnosis_whole *out);
 
 #define UM_DIAGNOSIS_VALUES_MAX 512
-/* "olr_factor 0.844 +- 0.01 (outgoing longwave radiation 200 +- 2.4 instead of 237 W/m^2)" of all
+/* "factor 0.844 +- 0.01 (outgoing longwave radiation 200 +- 2.4 instead of 237 W/m^2)" of all
  * parameters that are fitted or not at their null value; "" for a switch. */
 void um_diagnosis_values_text(const struct um_sensitivity_forward *forward,
                               const struct um_effect *effect, const char *target,

@@ -16,7 +16,7 @@ struct um_sensitivity_curve {
 
 /* A parameter of an effect on a target. */
 struct um_sensitivity_row {
-  char *name; /* "emittance:mli.emittance_factor"; a switch "albedo"; owned */
+  char *name; /* "emittance:mli.factor"; a switch "albedo"; owned */
   const struct um_sensitivity_candidate *candidate; /* of the list */
   size_t parameter;                    /* of the effect's; SIZE_MAX: a switch, turned on */
   const char *unit;                    /* of the parameter; "1" of a switch; borrowed */

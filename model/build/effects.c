@@ -57,20 +57,28 @@ static enum um_status use_of(struct um_context *context, struct um_model *model,
   return UM_OK;
 }
 
-static enum um_status set_parameter(struct um_context *context, const struct origin *from,
-                                    struct um_model_effect *use, const char *name, double value)
+static enum um_status set_value(struct um_context *context, const struct origin *from,
+                                struct um_model_effect *use, size_t p, const char *name,
+                                double value)
 {
-  for (size_t p = 0; p < use->effect->nparameter; p++) {
-    const struct um_effect_parameter *parameter = &use->effect->parameters[p];
-    if (strcmp(parameter->name, name) != 0) continue;
-    if (!(value >= parameter->minimum && value <= parameter->maximum))
-      return blame(context, from, name,
-                   um_core_fail(context, UM_ERR_INPUT, "%g is out of range; accepted: %g to %g %s",
-                                value, parameter->minimum, parameter->maximum, parameter->unit));
-    use->value[p] = value;
-    return UM_OK;
-  }
-  return blame(context, from, name, um_effects_refuse_parameter(context, use->effect, name));
+  const struct um_effect_parameter *parameter = &use->effect->parameters[p];
+  if (!(value >= parameter->minimum && value <= parameter->maximum))
+    return blame(context, from, name,
+                 um_core_fail(context, UM_ERR_INPUT, "%g is out of range; accepted: %g to %g %s",
+                              value, parameter->minimum, parameter->maximum, parameter->unit));
+  use->value[p] = value;
+  return UM_OK;
+}
+
+/* By a name as it was written. */
+static enum um_status set_parameter(struct um_context *context, const struct origin *from,
+                                    struct um_model_effect *use, struct um_effects_said *said,
+                                    const char *name, double value)
+{
+  size_t p;
+  enum um_status status = um_effects_parameter_read(context, use->effect, name, said, &p);
+  if (status != UM_OK) return blame(context, from, name, status);
+  return set_value(context, from, use, p, name, value);
 }
 
 /* With or without a target, as the effect has it. */
@@ -104,9 +112,10 @@ static enum um_status take_scenario(struct um_context *context, struct um_model 
   UM_TRY(use_of(context, model, effect, from->target, &use));
   use->off = from->off;
   use->at = &from->at;
+  struct um_effects_said said = {{NULL}};
   const struct um_schema_number *parameter = from->parameters.items;
   for (size_t p = 0; p < from->parameters.count; p++)
-    UM_TRY(set_parameter(context, &origin, use, parameter[p].name, parameter[p].value));
+    UM_TRY(set_parameter(context, &origin, use, &said, parameter[p].name, parameter[p].value));
   return UM_OK;
 }
 
@@ -138,10 +147,11 @@ static enum um_status take_change(struct um_context *context, struct um_model *m
                                   const struct um_model_change *change)
 {
   struct um_model_effect *use = NULL;
+  struct um_effects_said said = {{NULL}};
   const struct origin origin = {.option = "effect", .text = change->effect};
   UM_TRY(take_use(context, model, &origin, change->effect, change->target, change->off, &use));
   for (size_t p = 0; use != NULL && p < change->nparameter; p++)
-    UM_TRY(set_parameter(context, &origin, use, change->parameter[p], change->value[p]));
+    UM_TRY(set_parameter(context, &origin, use, &said, change->parameter[p], change->value[p]));
   return UM_OK;
 }
 
@@ -150,6 +160,7 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
                                 const struct origin *origin, bool off)
 {
   struct um_model_effect *use = NULL;
+  struct um_effects_said said = {{NULL}};
   char *rest = text + strcspn(text, ",");
   if (*rest != '\0') *rest++ = '\0';
   char *target = strchr(text, ':');
@@ -166,7 +177,7 @@ static enum um_status take_text(struct um_context *context, struct um_model *mod
                    um_core_fail(context, UM_ERR_INPUT,
                                 "'%.60s' is not understood; accepted: NAME=NUMBER", rest));
     *equals = '\0';
-    UM_TRY(set_parameter(context, origin, use, rest, value));
+    UM_TRY(set_parameter(context, origin, use, &said, rest, value));
     rest = next;
   }
   return UM_OK;
@@ -181,6 +192,20 @@ static enum um_status take_option(struct um_context *context, struct um_model *m
   UM_TRY(um_core_arena_allocate(context, &model->memory, n, 1, &text));
   memcpy(text, typed, n);
   return take_text(context, model, text, &origin, off);
+}
+
+enum um_status um_model_check_with(struct um_context *context, const struct um_model *model,
+                                   const char *typed)
+{
+  struct um_model scratch = *model;
+  const struct origin origin = {.option = "--with", .text = typed};
+  char *text;
+  scratch.effect = NULL;
+  scratch.neffect = 0;
+  UM_TRY(um_core_strdup(context, typed, &text));
+  enum um_status status = take_text(context, &scratch, text, &origin, false);
+  UM_FREE(context, scratch.effect, text);
+  return status;
 }
 
 /* Two entries of one effect on one target would leave it to their order which one counts. */
@@ -292,8 +317,7 @@ static enum um_status add_effects(struct um_context *context, struct um_model *m
     use->option = origin.option;
     use->text = origin.text;
     for (size_t p = 0; p < effect->nparameter; p++)
-      UM_TRY(
-          set_parameter(context, &origin, use, effect->parameters[p].name, addition[i].value[p]));
+      UM_TRY(set_value(context, &origin, use, p, effect->parameters[p].name, addition[i].value[p]));
   }
   um_model_effects_sort(model, model->effect + listed, model->neffect - listed);
   return UM_OK;

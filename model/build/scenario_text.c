@@ -14,6 +14,7 @@
 #include "base/core/csv.h"
 #include "base/core/file.h"
 #include "base/core/suggestions.h"
+#include "effects/effects.h"
 #include "model/scenario/scenario_schema.h"
 
 /* Texts that are overrides of a document. */
@@ -40,14 +41,15 @@ static void release(struct overrides *o)
   um_core_free(o->context, o->text);
 }
 
-/* What the scenario's own entry says of a parameter. */
-static double listed_value(const struct um_scenario_effect *entry, const struct um_effect *effect,
-                           size_t p)
+/* A parameter as the scenario's own entry has it: the name that it is written by, and its value. */
+static struct um_schema_number listed(const struct um_scenario_effect *entry,
+                                      const struct um_effect *effect, size_t p)
 {
   const struct um_schema_number *number = entry->parameters.items;
+  const struct um_effect_parameter *of = &effect->parameters[p];
   for (size_t i = 0; i < entry->parameters.count; i++)
-    if (strcmp(number[i].name, effect->parameters[p].name) == 0) return number[i].value;
-  return effect->parameters[p].default_value;
+    if (um_effects_parameter_find(effect, number[i].name) == p) return number[i];
+  return (struct um_schema_number){.name = of->name, .value = of->default_value};
 }
 
 /* Entry `position` of the list, where the use differs from it. */
@@ -62,10 +64,11 @@ static enum um_status change_entry(struct overrides *o, const struct um_scenario
   }
   for (size_t p = 0; p < use->effect->nparameter; p++) {
     char number[32];
-    if (use->value[p] == listed_value(entry, use->effect, p)) continue;
+    const struct um_schema_number written = listed(entry, use->effect, p);
+    if (use->value[p] == written.value) continue;
     um_core_number_text(use->value[p], number);
-    UM_TRY(um_core_asprintf(o->context, &text, "effects.%zu.%s=%s", position,
-                            use->effect->parameters[p].name, number));
+    UM_TRY(
+        um_core_asprintf(o->context, &text, "effects.%zu.%s=%s", position, written.name, number));
     UM_TRY(add_override(o, text));
   }
   return UM_OK;

@@ -38,15 +38,15 @@ static void test_found(void **state)
 {
   (void)state;
   const char *where;
-  command_expect(0, SYNTH("--seed", "5", "-o", "m.csv", "--with",
-                          "emittance:grey_white,emittance_factor=0.8"));
+  command_expect(0,
+                 SYNTH("--seed", "5", "-o", "m.csv", "--with", "emittance:grey_white,factor=0.8"));
   struct command c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, "--json", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
   char *json = command_read("out/diagnosis.json");
   assert_string_equal(json, c.out);
   if (!json_is_valid(json, &where)) fail_msg("not JSON from here on: %.60s", where);
   assert_non_null(strstr(json, "\"verdict\": \"found\""));
-  double value = number_behind(json, "\"steps\"", "\"emittance_factor\", \"value\": ");
+  double value = number_behind(json, "\"steps\"", "\"factor\", \"value\": ");
   double sigma = number_behind(json, "\"steps\"", "\"sigma\": ");
   assert_true(fabs(value - 0.8) <= 3.0 * sigma && sigma < 0.01);
   assert_true(number_behind(json, "\"baseline\"", "\"chi2_red\": ") > 10.0);
@@ -75,7 +75,7 @@ static void test_worse(void **state)
 {
   (void)state;
   command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--seed", "5", "-o", "m.csv", "--with",
-                 "emittance:grey_white,emittance_factor=0.6", NULL);
+                 "emittance:grey_white,factor=0.6", NULL);
   struct command c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
   const char *worse = strstr(c.out, "\n  fitted and worse: zero_point:lwir factor ");
@@ -178,11 +178,11 @@ static void test_progress(void **state)
 static void test_fit(void **state)
 {
   (void)state;
-  command_expect(0, SYNTH("--seed", "7", "-o", "m.csv", "--with",
-                          "emittance:grey_white,emittance_factor=0.8"));
+  command_expect(0,
+                 SYNTH("--seed", "7", "-o", "m.csv", "--with", "emittance:grey_white,factor=0.8"));
   struct command c =
-      command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white,emittance_factor=0.9",
-                  "--nuisance", "zero_point:vis,sigma=0.1", "--out", "out", "--no-plots", NULL);
+      command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white,factor=0.9", "--nuisance",
+                  "zero_point:vis,sigma=0.1", "--out", "out", "--no-plots", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
   assert_non_null(strstr(c.out, "\nfitted: emittance:grey_white\n"));
   assert_non_null(strstr(c.out, "\nfitted along: zero_point:vis\n"));
@@ -193,7 +193,7 @@ static void test_fit(void **state)
   const char *emittance = strstr(text, "effects:\n  - {effect: emittance, target: grey_white, ");
   assert_non_null(emittance);
   assert_non_null(strstr(emittance, "\n  - {effect: zero_point, target: vis, factor: "));
-  double value = number_behind(text, "effect: emittance", "emittance_factor: ");
+  double value = number_behind(text, "effect: emittance", "factor: ");
   assert_close(value, 0.8, 0.03); /* sigma is below 0.01 */
   free(text);
   command_release(&c);

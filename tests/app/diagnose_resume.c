@@ -18,7 +18,7 @@ static int enter(void **state)
   if (command_enter(state) != 0) return -1;
   command_copy_data("box.yaml");
   command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--temperatures", "bus", "--seed", "5",
-                 "-o", "m.csv", "--with", "emittance:grey_white,emittance_factor=0.8", "--with",
+                 "-o", "m.csv", "--with", "emittance:grey_white,factor=0.8", "--with",
                  "zero_point:vis,factor=0.9", NULL);
   return 0;
 }

@@ -420,11 +420,10 @@ static void test_uncertain_told(void **state)
                   "--uncertain", "emittance:grey_white=0.4", "--uncertain",
                   "thermal.orbits_before=0.001", "--uncertain", "background:vis=1e-30", NULL);
   assert_int_equal(c.code, 0);
-  assert_non_null(strstr(c.err, "emittance:grey_white.emittance_factor: first order is not enough: "
+  assert_non_null(strstr(c.err, "emittance:grey_white.factor: first order is not enough: "
                                 "at 1 sigma lwir is off the line by up to "));
   assert_non_null(strstr(c.out, "\"uncertain\": 3, \"most_of_the_variance\": {"));
-  assert_non_null(
-      strstr(c.out, "\"lwir\": {\"parameter\": \"emittance:grey_white.emittance_factor\""));
+  assert_non_null(strstr(c.out, "\"lwir\": {\"parameter\": \"emittance:grey_white.factor\""));
   assert_non_null(strstr(c.err, "background:vis.irradiance_W_m2 changes nothing of these passes"));
   command_release(&c);
 }
@@ -447,14 +446,15 @@ static void test_uncertain_refused(void **state)
       {"emitance:grey_white=0.1", "no effect is called 'emitance'; did you mean 'emittance'?"},
       {"emittance:grey=0.1", "nothing that 'emittance' acts on is called 'grey'"},
       {"emittance=0.1", "effect 'emittance' needs a target"},
-      {"emittance:grey_white,factor=0.1", "effect 'emittance' has no parameter 'factor'"},
+      {"emittance:grey_white,level=0.1", "effect 'emittance' has no parameter 'level'"},
       {"attitude_offset=1", "'attitude_offset' has 3 parameters"},
       {"albedo=0.1", "'albedo' is on or off and has no number to move"},
       {"parts.bus.shell.areal=3", "the scenario has no number there"},
       {"orbit.tle=3", "the scenario has no number there"},
       {"time.step_s=1", "every pass has its own"},
-      {"heat_capacity:bus,capacity_factor=0.1,capacity_factor=0.2",
-       "moves what 'heat_capacity:bus.capacity_factor' moves"},
+      {"heat_capacity:bus,factor=0.1,capacity_factor=0.2",
+       "moves what 'heat_capacity:bus.factor' moves"},
+      {"heat_capacity:bus,factor=0.1,factor=0.2", "moves what 'heat_capacity:bus.factor' moves"},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct command c =

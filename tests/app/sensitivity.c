@@ -64,8 +64,7 @@ static void test_files(void **state)
   (void)state;
   int file, id;
   command_expect(0, BOX, "--only", "emittance", "--only", "zero_point:lwir", "--no-plots", "--out",
-                 "found", "--elasticity", "--what-if", "emittance:grey_white,emittance_factor=0.99",
-                 NULL);
+                 "found", "--elasticity", "--what-if", "emittance:grey_white,factor=0.99", NULL);
   struct table t = table_read("found/parameters.csv");
   assert_int_equal(nc_open("found/sensitivity.nc", NC_NOWRITE, &file), NC_NOERR);
   size_t n = length(file, "time"), bands = length(file, "band");
@@ -75,10 +74,9 @@ static void test_files(void **state)
   assert_int_equal(nc_get_var_double(file, id, light), NC_NOERR);
   for (size_t k = 0; k < n; k++) peak = fmax(peak, light[lwir * n + k]);
   for (size_t i = 0; i < t.nrow; i++)
-    if (strcmp(table_text(&t, i, "parameter"), "emittance:grey_white.emittance_factor") == 0)
-      row = i;
+    if (strcmp(table_text(&t, i, "parameter"), "emittance:grey_white.factor") == 0) row = i;
   assert_true(row < t.nrow);
-  double expected = 100.0 * largest(file, "emittance:grey_white.emittance_factor", "lwir") *
+  double expected = 100.0 * largest(file, "emittance:grey_white.factor", "lwir") *
                     table_number(&t, row, "width") / peak;
   assert_true(expected > 0.1);
   assert_close(table_number(&t, row, "lwir_percent_per_width"), expected, 1e-6 * expected);
@@ -102,7 +100,7 @@ static void test_refused(void **state)
   command_expect(1, BOX, "--only", "emittanse", NULL);
   command_expect(1, BOX, "--what-if", "emittance:grey_white,emittance_facto=1", NULL);
   command_expect(1, BOX, "--only", "zero_point", "--no-plots", "--what-if",
-                 "emittance:grey_white,emittance_factor=1.1", NULL);
+                 "emittance:grey_white,factor=1.1", NULL);
   command_expect(2, "sensitivity", NULL);
 }
 

@@ -83,7 +83,7 @@ int main(int argc, char **argv)
                          "--set",
                          "time.step_s=10",
                          "--with",
-                         "mli_emittance:bus,emittance_factor=1.5",
+                         "mli_emittance:bus,factor=1.5",
                          "--threads",
                          "1",
                          "-o",

@@ -19,7 +19,7 @@ static double shift(size_t k) { return RATE * STEP * (double)k / DAY; }
 static struct case_run static_shift(size_t k)
 {
   char with[96];
-  snprintf(with, sizeof with, "solar_absorptance:" FRONT ",absorptance_shift=%.17g", shift(k));
+  snprintf(with, sizeof with, "solar_absorptance:" FRONT ",shift=%.17g", shift(k));
   return case_with(case_plate, with);
 }
 

@@ -107,19 +107,18 @@ static void region_is_a_level_where_it_is(void **state)
 {
   (void)state;
   const char *const always = "environment.earth.local={from_utc: 1990-01-01T00:00:00Z}";
-  struct case_run level = case_with(case_satellite, "albedo_level,albedo_factor=1.5");
-  struct case_run all = with_set(always, NULL, "local_albedo,local_albedo_factor=1.5");
+  struct case_run level = case_with(case_satellite, "albedo_level,factor=1.5");
+  struct case_run all = with_set(always, NULL, "local_albedo,factor=1.5");
   assert_true(largest(&level, &all) < SAME);
-  struct case_run warm = with_one_emittance(NULL, "earth_ir_level,olr_factor=0.8");
-  struct case_run cold = with_one_emittance(always, "local_earth_ir,local_olr_factor=0.8");
+  struct case_run warm = with_one_emittance(NULL, "earth_ir_level,factor=0.8");
+  struct case_run cold = with_one_emittance(always, "local_earth_ir,factor=0.8");
   assert_true(largest(&warm, &cold) < SAME);
   struct case_run plain = case_with(case_satellite, NULL);
   struct case_run never = with_set("environment.earth.local={to_utc: 1990-01-01T00:00:00Z, "
                                    "from_utc: 1989-01-01T00:00:00Z, albedo_factor: 0}",
                                    NULL, NULL);
   assert_true(largest(&plain, &never) < SAME);
-  struct case_run now =
-      case_with(case_satellite, "local_earth_ir,local_olr_factor=1,local_brightness_shift_K=-30");
+  struct case_run now = case_with(case_satellite, "local_earth_ir,factor=1,shift_K=-30");
   assert_true(largest(&plain, &now) < SAME);
   assert_true(case_intensity(&now, 1, "lwir", "mli_kapton", UM_MECHANISM_EARTH) <
               0.9 * case_intensity(&plain, 1, "lwir", "mli_kapton", UM_MECHANISM_EARTH));
@@ -132,8 +131,8 @@ static void levels_scale_knocke(void **state)
 {
   (void)state;
   struct case_run a = with_set(KNOCKE, NULL, NULL);
-  struct case_run b = with_set(KNOCKE, NULL, "albedo_level,albedo_factor=0.5");
-  struct case_run c = with_set(KNOCKE, NULL, "earth_brightness,brightness_temperature_shift_K=-40");
+  struct case_run b = with_set(KNOCKE, NULL, "albedo_level,factor=0.5");
+  struct case_run c = with_set(KNOCKE, NULL, "earth_brightness,shift_K=-40");
   double vis = case_intensity(&a, 1, "vis", "grey_panel", UM_MECHANISM_EARTH);
   if (vis > 0.0)
     case_near("earthshine", case_intensity(&b, 1, "vis", "grey_panel", UM_MECHANISM_EARTH),

@@ -14,7 +14,7 @@
 static void area_scales_everything(void **state)
 {
   (void)state;
-  static const char *const with[] = {"area:plate,area_factor=1.21", NULL},
+  static const char *const with[] = {"area:plate,factor=1.21", NULL},
                            *const set[] = {"thermal.relative_tolerance=1e-9",
                                            "thermal.absolute_tolerance_K=1e-7", NULL};
   struct case_run a = case_compute(case_plate, NULL, NULL, set);
@@ -59,8 +59,7 @@ static void area_acts_on_every_shape(void **state)
              "     outside: grey_white, lumped: true, shell: {areal_heat_capacity_J_m2_K: 3000}}\n"
              "thermal: {start: isothermal, orbits_before: 0}\n",
              shapes[s]);
-    struct case_run a = case_with(scenario, NULL),
-                    b = case_with(scenario, "area:one,area_factor=0.8");
+    struct case_run a = case_with(scenario, NULL), b = case_with(scenario, "area:one,factor=0.8");
     const struct um_geometry_mesh *x = um_geometry_mesh(a.model->geometry);
     const struct um_geometry_mesh *y = um_geometry_mesh(b.model->geometry);
     assert_int_equal(x->nfacet, y->nfacet);

@@ -17,8 +17,8 @@ static void albedo_level_scales_load_and_earthshine(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run b = heat_compute(NONE, LIST("albedo_level,albedo_factor=2"), NONE);
-  struct heat_run none = heat_compute(NONE, LIST("albedo_level,albedo_factor=0"), NONE);
+  struct heat_run b = heat_compute(NONE, LIST("albedo_level,factor=2"), NONE);
+  struct heat_run none = heat_compute(NONE, LIST("albedo_level,factor=0"), NONE);
   struct heat_run off = heat_compute(NONE, NONE, LIST("albedo", "earthshine"));
   struct heat_budget before = heat_budget(&a, NULL, false), after = heat_budget(&b, NULL, false);
   assert_true(before.albedo > 100.0);
@@ -45,7 +45,7 @@ static void earth_ir_level_scales_the_load(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run b = heat_compute(NONE, LIST("earth_ir_level,olr_factor=0.8"), NONE);
+  struct heat_run b = heat_compute(NONE, LIST("earth_ir_level,factor=0.8"), NONE);
   struct heat_budget before = heat_budget(&a, NULL, false), after = heat_budget(&b, NULL, false);
   heat_close("Earth IR", after.planet, 0.8 * before.planet, 1e-7);
   assert_true(after.albedo == before.albedo && after.sun == before.sun);
@@ -62,8 +62,7 @@ static void earth_brightness_scales_reflection(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, LIST("earthshine"));
-  struct heat_run b = heat_compute(
-      NONE, LIST("earth_brightness,brightness_temperature_shift_K=-20"), LIST("earthshine"));
+  struct heat_run b = heat_compute(NONE, LIST("earth_brightness,shift_K=-20"), LIST("earthshine"));
   double before = heat_intensity(&a, "lwir", UM_MECHANISM_EARTH, NULL);
   assert_true(before > 0.0);
   heat_close("reflected", heat_intensity(&b, "lwir", UM_MECHANISM_EARTH, NULL),
@@ -82,7 +81,7 @@ static void solar_irradiance_scales_all_sunlight(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run b = heat_compute(NONE, LIST("solar_irradiance,irradiance_factor=1.1"), NONE);
+  struct heat_run b = heat_compute(NONE, LIST("solar_irradiance,factor=1.1"), NONE);
   struct heat_budget before = heat_budget(&a, NULL, false), after = heat_budget(&b, NULL, false);
   for (int m = UM_MECHANISM_SUN; m <= UM_MECHANISM_EARTH; m++)
     heat_close("visible", heat_intensity(&b, "vis", m, NULL),
@@ -126,7 +125,7 @@ static void shadow_radius_moves_both_edges(void **state)
   (void)state;
   double before[3], after[3];
   edges(NONE, before);
-  edges(LIST("shadow_radius,shadow_radius_shift_km=10"), after);
+  edges(LIST("shadow_radius,shift_km=10"), after);
   double rate = 2.0 * UM_PI / (before[2] - before[0]);
   double r = UM_EARTH_RADIUS + 600e3;
   double earlier = (asin((UM_EARTH_RADIUS + 10e3) / r) - asin(UM_EARTH_RADIUS / r)) / rate;

@@ -168,7 +168,7 @@ static void refusals_name_the_part(void **state)
       {"mli_emittance:panel.plate", "'panel.plate' has no MLI"},
       {"mli_temperature_law:panel", "'panel' has no MLI"},
       {"mli_seams:panel.plate", "'panel.plate' has no MLI"},
-      {"mli_emittance:bus,emittance_factor=60", "1.2; accepted: up to 1"},
+      {"mli_emittance:bus,factor=60", "1.2; accepted: up to 1"},
       {"mli_emittance", "needs a target"},
       {"panel_extraction:bus.-x,efficiency=0.1", "'bus.-x' is MLI; accepted: a side with cells"},
       {"panel_extraction:bus,efficiency=0.1", "'bus' is all MLI; accepted: a part with cells"},
@@ -177,7 +177,7 @@ static void refusals_name_the_part(void **state)
       {"interior_capacity:bus,capacity_J_K=-20001", "-1 J/K; accepted: 0 or more in all"},
       {"through_conductance:bus", "'bus' are one layer"},
       {"through_conductance:bus.+x", "'bus.+x' is one layer"},
-      {"albedo_level,albedo_factor=3.5", "accepted: 0 to 3"},
+      {"albedo_level,factor=3.5", "accepted: 0 to 3"},
       {"albedo_level:bus", "accepted: no target"},
   };
   char message[512];
@@ -186,19 +186,18 @@ static void refusals_name_the_part(void **state)
     if (strstr(message, bad[i][1]) == NULL) fail_msg("%s: '%s'", bad[i][0], message);
   }
   heat_refused(LIST("thermal.start=isothermal", "thermal.start_temperature_K=150"),
-               LIST("stored_heat:bus,delta_K=-200"), message, sizeof message);
+               LIST("stored_heat:bus,shift_K=-200"), message, sizeof message);
   assert_non_null(strstr(message, "node 'bus.interior' begins at -50 K, -200 K off; accepted: "));
   heat_refused(LIST("parts.panel.electrical_extraction=0.7"),
                LIST("panel_extraction:panel,efficiency=0.4"), message, sizeof message);
   assert_non_null(strstr(message, "1.1, more than it absorbs; accepted: up to "));
   heat_refused(LIST("environment.shadow=none"), LIST("shadow_radius"), message, sizeof message);
   assert_non_null(strstr(message, "no shadow"));
-  heat_refused(LIST("environment.albedo=0.6"), LIST("albedo_level,albedo_factor=2"), message,
+  heat_refused(LIST("environment.albedo=0.6"), LIST("albedo_level,factor=2"), message,
                sizeof message);
   assert_non_null(strstr(message, "makes the albedo 1.2; accepted: up to 1"));
   heat_refused(LIST("environment.brightness_temperature_K=100"),
-               LIST("earth_brightness,brightness_temperature_shift_K=-100"), message,
-               sizeof message);
+               LIST("earth_brightness,shift_K=-100"), message, sizeof message);
   assert_non_null(strstr(message, "accepted: above 0"));
 }
 

@@ -50,7 +50,7 @@ static void stored_heat_dies_away(void **state)
   (void)state;
   const char *const *alone = LIST("contacts=[]");
   struct heat_run a = heat_compute(alone, NONE, NONE);
-  struct heat_run b = heat_compute(alone, LIST("stored_heat:bus,delta_K=10"), NONE);
+  struct heat_run b = heat_compute(alone, LIST("stored_heat:bus,shift_K=10"), NONE);
   double c = 20000.0, wall = 6.0 * 5000.0, k = 6.0 * (1.0 / c + 1.0 / wall); /* [J/K], [1/s] */
   double first = heat_temperature(&b, "bus.interior", 0) - heat_temperature(&a, "bus.interior", 0);
   double later = heat_temperature(&b, "bus.interior", 1) - heat_temperature(&a, "bus.interior", 1);
@@ -75,9 +75,9 @@ static void mli_emittance_scales_the_leak(void **state)
   static const struct {
     const char *text, *group; /* the factor acts on this group, NULL: on all */
     double factor;
-  } cases[] = {{"mli_emittance:bus,emittance_factor=1", NULL, 1.0},
-               {"mli_emittance:bus,emittance_factor=3", NULL, 3.0},
-               {"mli_emittance:bus.-x,emittance_factor=5", "-x", 5.0}};
+  } cases[] = {{"mli_emittance:bus,factor=1", NULL, 1.0},
+               {"mli_emittance:bus,factor=3", NULL, 3.0},
+               {"mli_emittance:bus.-x,factor=5", "-x", 5.0}};
   double interior[3];
   for (size_t i = 0; i < 3; i++) {
     struct heat_run run = heat_compute(NONE, LIST(cases[i].text), NONE);
@@ -136,7 +136,7 @@ static void heat_capacity_stretches_time(void **state)
       "orbit={fixed: {position_gcrs_km: [-7000, 0, 0]}}", "contacts=[]", "thermal.start=isothermal",
       "thermal.orbits_before=0", "time.stop_utc=2020-03-20T12:02:00Z");
   struct heat_run a = heat_compute(cooling, NONE, NONE);
-  struct heat_run b = heat_compute(cooling, LIST("heat_capacity:panel,capacity_factor=2"), NONE);
+  struct heat_run b = heat_compute(cooling, LIST("heat_capacity:panel,factor=2"), NONE);
   static const char *const sides[] = {"panel.front", "panel.back"};
   for (size_t i = 0; i < 2; i++) {
     double t = heat_temperature(&a, sides[i], 1);
@@ -166,8 +166,8 @@ static void heat_capacity_acts_on_its_target(void **state)
   } nodes[] = {{"bus.+x", 2.0, 2.0},     {"bus.+x.mli", 2.0, 2.0},   {"bus.-y", 2.0, 1.0},
                {"bus.-y.mli", 2.0, 1.0}, {"bus.interior", 1.0, 1.0}, {"panel.back", 1.0, 1.0}};
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run part = heat_compute(NONE, LIST("heat_capacity:bus,capacity_factor=2"), NONE);
-  struct heat_run group = heat_compute(NONE, LIST("heat_capacity:bus.+x,capacity_factor=2"), NONE);
+  struct heat_run part = heat_compute(NONE, LIST("heat_capacity:bus,factor=2"), NONE);
+  struct heat_run group = heat_compute(NONE, LIST("heat_capacity:bus.+x,factor=2"), NONE);
   for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
     assert_true(capacity(&part, nodes[i].node) == nodes[i].of_part * capacity(&a, nodes[i].node));
     assert_true(capacity(&group, nodes[i].node) == nodes[i].of_group * capacity(&a, nodes[i].node));
@@ -257,7 +257,7 @@ static void through_conductance_carries_to_the_back(void **state)
   const double factor[] = {1.0, 4.0};
   for (size_t i = 0; i < 2; i++) {
     char text[64];
-    snprintf(text, sizeof text, "through_conductance:panel,conductance_factor=%g", factor[i]);
+    snprintf(text, sizeof text, "through_conductance:panel,factor=%g", factor[i]);
     struct heat_run run = heat_compute(LIST("contacts=[]"), LIST(text), NONE);
     struct heat_budget back = heat_budget(&run, "panel", true);
     gradient[i] =
@@ -276,11 +276,11 @@ static void contact_conductance_carries_to_the_bus(void **state)
   static const struct {
     const char *text;
     double factor;
-  } cases[] = {{"contact_conductance,conductance_factor=1", 1.0},
-               {"contact_conductance,conductance_factor=5", 5.0},
-               {"contact_conductance:bus.+x,conductance_factor=5", 5.0},
-               {"contact_conductance:panel,conductance_factor=5", 5.0},
-               {"contact_conductance:bus.-x,conductance_factor=5", 1.0}};
+  } cases[] = {{"contact_conductance,factor=1", 1.0},
+               {"contact_conductance,factor=5", 5.0},
+               {"contact_conductance:bus.+x,factor=5", 5.0},
+               {"contact_conductance:panel,factor=5", 5.0},
+               {"contact_conductance:bus.-x,factor=5", 1.0}};
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     struct heat_run run = heat_compute(NONE, LIST(cases[i].text), NONE);
     struct heat_budget back = heat_budget(&run, "panel", true);

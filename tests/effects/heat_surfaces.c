@@ -9,8 +9,7 @@ static void absorptance_darkens_the_visible(void **state)
   (void)state;
   const char *const *below = LIST("observer.direction.unit_gcrs=[-0.8, 0.6, 0]");
   struct heat_run a = heat_compute(below, NONE, NONE);
-  struct heat_run b =
-      heat_compute(below, LIST("solar_absorptance:grey_white,absorptance_shift=0.1"), NONE);
+  struct heat_run b = heat_compute(below, LIST("solar_absorptance:grey_white,shift=0.1"), NONE);
   double before = heat_intensity(&a, "vis", UM_MECHANISM_EARTH, "grey_white");
   assert_true(before > 0.0);
   heat_close("earthshine", heat_intensity(&b, "vis", UM_MECHANISM_EARTH, "grey_white"),
@@ -28,8 +27,8 @@ static void absorptance_leaves_the_lobe(void **state)
   (void)state;
   struct heat_run run[3] = {
       heat_compute(NONE, NONE, NONE),
-      heat_compute(NONE, LIST("solar_absorptance:grey_panel,absorptance_shift=0.02"), NONE),
-      heat_compute(NONE, LIST("solar_absorptance:grey_panel,absorptance_shift=0.06"), NONE)};
+      heat_compute(NONE, LIST("solar_absorptance:grey_panel,shift=0.02"), NONE),
+      heat_compute(NONE, LIST("solar_absorptance:grey_panel,shift=0.06"), NONE)};
   double sun[3];
   for (size_t i = 0; i < 3; i++)
     sun[i] = heat_intensity(&run[i], "vis", UM_MECHANISM_SUN, "grey_panel");
@@ -43,8 +42,7 @@ static void absorptance_heats(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run b =
-      heat_compute(NONE, LIST("solar_absorptance:grey_panel,absorptance_shift=0.05"), NONE);
+  struct heat_run b = heat_compute(NONE, LIST("solar_absorptance:grey_panel,shift=0.05"), NONE);
   struct heat_budget front = heat_budget(&a, "panel", false);
   heat_close("absorptance", heat_budget(&b, "panel", false).absorptance, 0.95, 1e-15);
   heat_close("emission", heat_budget(&b, NULL, false).emitted,
@@ -61,7 +59,7 @@ static void emittance_scales_emission(void **state)
 {
   (void)state;
   struct heat_run a = heat_compute(NONE, NONE, NONE);
-  struct heat_run b = heat_compute(NONE, LIST("emittance:grey_panel,emittance_factor=0.9"), NONE);
+  struct heat_run b = heat_compute(NONE, LIST("emittance:grey_panel,factor=0.9"), NONE);
   double cool = heat_temperature(&a, "panel.front", 0),
          hot = heat_temperature(&b, "panel.front", 0);
   heat_close("emittance", heat_budget(&b, "panel", false).emittance, 0.9 * 0.85, 1e-15);
@@ -125,8 +123,7 @@ static void the_earth_is_absorbed_by_angle(void **state)
   const char *const *set = LIST("parts.panel.back=osr", "parts.bus.pose.position_m=[20, 0, 0]");
   struct heat_run on = heat_compute(set, NONE, NONE);
   struct heat_run off = heat_compute(set, NONE, LIST("absorptance_angle"));
-  struct heat_run darker =
-      heat_compute(set, LIST("solar_absorptance:osr,absorptance_shift=0.1"), NONE);
+  struct heat_run darker = heat_compute(set, LIST("solar_absorptance:osr,shift=0.1"), NONE);
   struct heat_run tilted = heat_compute(set, LIST("directional_emissivity:osr,tilt=-0.3"), NONE);
   const struct um_materials_record *osr = um_materials_library_find(on.model->library, "osr");
   double albedo, planet, more, unused, falls = heat_budget(&on, "panel", true).albedo;

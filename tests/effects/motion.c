@@ -56,7 +56,7 @@ static void spin_period_keeps_the_phase(void **state)
   const double period = 700.0, relative = 0.02;
   const struct um_vec3 axis = um_vec3(0.0, 0.6, 0.8);
   struct case_run a = case_with(case_spinner, NULL);
-  struct case_run b = case_with(case_spinner, "spin_period,relative=0.02");
+  struct case_run b = case_with(case_spinner, "spin_period,relative_shift=0.02");
   expect_same_orbit(&a, &b);
   for (size_t k = 0; k < a.tables->nobs; k++) {
     double t = sample(&a, k).t_tai - a.tables->t_obs[0] - 60.0; /* light time included */
@@ -69,7 +69,7 @@ static void spin_period_keeps_the_phase(void **state)
   case_release(&b);
   /* a law that is no spin stays */
   a = case_with(case_plate, NULL);
-  b = case_with(case_plate, "spin_period,relative=0.02");
+  b = case_with(case_plate, "spin_period,relative_shift=0.02");
   assert_true(case_same(&a, &b));
   case_release(&a);
   case_release(&b);
@@ -89,7 +89,7 @@ static void spin_period_slows_a_tumble(void **state)
   static const char *const later[] = {TUMBLE, "time.step_s=20", "time.light_time=false",
                                       "time.stop_utc=2020-03-20T12:04:00Z", NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
-  static const char *const slower[] = {"spin_period,relative=0.25", NULL};
+  static const char *const slower[] = {"spin_period,relative_shift=0.25", NULL};
   struct case_run b = case_compute(case_spinner, slower, NULL, later);
   assert_true(a.tables->nobs == 13 && b.tables->nobs == 13);
   for (size_t k = 0; k < a.tables->nobs; k++)
@@ -110,7 +110,7 @@ static void time_tag_shows_what_was_before(void **state)
   static const char *const set[] = {"time.start_utc=2020-03-20T11:59:52Z",
                                     "time.stop_utc=2020-03-20T12:03:52Z", NULL};
   struct case_run a = case_compute(case_spinner, NULL, NULL, set);
-  struct case_run b = case_with(case_spinner, "time_tag,bias_s=8");
+  struct case_run b = case_with(case_spinner, "time_tag,shift_s=8");
   assert_int_equal(a.tables->nobs, b.tables->nobs);
   for (size_t k = 0; k < a.tables->nobs; k++)
     assert_true(b.tables->t_obs[k] == a.tables->t_obs[k] + 8.0);

@@ -172,7 +172,7 @@ static void skies_and_detectors_follow_their_laws(void **state)
 {
   (void)state;
   expect_law("sky_background:vis,irradiance_W_m2=2e-10", with_airglow);
-  expect_law("path_radiance:vis,irradiance_W_m2=3e-10,optical_depth=0.5", with_path);
+  expect_law("path_radiance:vis,irradiance_W_m2=3e-10,depth=0.5", with_path);
   expect_law("nonlinearity:vis,share=0.1", bent);
   expect_law("nonlinearity:vis,share=-0.002", bent_up);
 }

@@ -22,6 +22,115 @@ static void descriptors_are_complete(void **state)
   assert_null(um_effects_find("no_such_effect"));
 }
 
+static bool ends_with(const char *name, const char *end)
+{
+  size_t n = strlen(name), m = strlen(end);
+  return n >= m && strcmp(name + n - m, end) == 0;
+}
+
+/* The rule of effects/effect.h, where descriptors show of which kind a parameter is. */
+static void the_same_kind_has_the_same_name(void **state)
+{
+  (void)state;
+  size_t factors = 0, shifts = 0;
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    for (size_t k = 0; k < e->nparameter; k++) {
+      const struct um_effect_parameter *p = &e->parameters[k];
+      bool plain = strcmp(p->unit, "1") == 0, factor = strcmp(p->name, "factor") == 0;
+      if (plain && p->null_value == 1.0 && p->change == UM_CHANGE_SCALES && !factor)
+        fail_msg("%s: %s; a factor is called 'factor'", e->name, p->name);
+      if (plain && ends_with(p->name, "_factor"))
+        fail_msg("%s: %s; a factor is called 'factor'", e->name, p->name);
+      if (factor && !plain) fail_msg("%s: a factor in %s", e->name, p->unit);
+      /* one quantity would be said twice, by the effect and by the parameter */
+      if (strstr(p->name, "_shift_") != NULL || strstr(p->name, "delta") != NULL ||
+          strstr(p->name, "bias") != NULL || strstr(p->name, "offset") != NULL)
+        fail_msg("%s: %s; a difference is called 'shift_UNIT'", e->name, p->name);
+      if (strcmp(p->name, "shift") == 0 && !plain)
+        fail_msg("%s: shift without its unit %s", e->name, p->unit);
+      if (strncmp(p->name, "shift_", 6) == 0 && strcmp(p->name + 6, p->unit) != 0)
+        fail_msg("%s: %s in %s", e->name, p->name, p->unit);
+      factors += factor;
+      shifts += strncmp(p->name, "shift", 5) == 0;
+    }
+  }
+  assert_true(factors > 0 && shifts > 0);
+}
+
+/* Both names lead to one parameter; the former one is warned of once a use. */
+static void former_names(void **state)
+{
+  (void)state;
+  struct um_context *context;
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  size_t n = 0;
+  for (size_t i = 0; i < um_effects_count(); i++) {
+    const struct um_effect *e = um_effects_at(i);
+    assert_int_equal(um_effects_parameter_find(e, "no_such_parameter"), e->nparameter);
+    for (size_t k = 0; k < e->nparameter; k++) {
+      const struct um_effect_parameter *p = &e->parameters[k];
+      const char *const name[] = {p->name, p->formerly};
+      for (size_t j = 0; j < 2 && name[j] != NULL; j++) {
+        struct um_effects_said said = {{NULL}};
+        size_t which;
+        um_core_log_clear(context);
+        assert_int_equal(um_effects_parameter_find(e, name[j]), k);
+        assert_int_equal(um_effects_parameter_read(context, e, name[j], &said, &which), UM_OK);
+        assert_int_equal(which, k);
+        assert_int_equal(strstr(um_core_log_text(context), " is now called ") != NULL, j == 1);
+        um_core_log_clear(context);
+        assert_int_equal(um_effects_parameter_read(context, e, name[j], &said, &which), UM_OK);
+        assert_string_equal(um_core_log_text(context), "");
+        if (p->formerly == NULL) continue;
+        assert_int_equal(um_effects_parameter_read(context, e, name[1 - j], &said, &which),
+                         UM_ERR_INPUT);
+        assert_non_null(strstr(um_core_message(context), "are one parameter; accepted: "));
+        um_core_message_clear(context);
+        n++;
+      }
+    }
+  }
+  assert_true(n > 0);
+  um_core_context_destroy(&context);
+}
+
+/* A former name that something else has is refused. */
+static void former_names_are_free(void **state)
+{
+  (void)state;
+  struct um_context *context;
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  const struct um_effect *base = um_effects_find("background");
+  static const struct {
+    const char *name[2], *formerly[2], *words;
+  } cases[] = {
+      {{"a", "b"}, {"c", "d"}, NULL},
+      {{"a", "b"}, {"a", NULL}, "parameter 1 was called 'a'"},
+      {{"a", "b"}, {NULL, "a"}, "parameter 2 was called 'a'"},
+      {{"a", "b"}, {"b", NULL}, "parameter 2 is called 'b'"},
+      {{"a", "b"}, {"c", "c"}, "parameter 2 was called 'c'"},
+      {{"a", "b"}, {"target", NULL}, "parameter 1 was called 'target'"},
+      {{"a", "b"}, {"no word", NULL}, "parameter 1 was called 'no word'"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    struct um_effect_parameter two[2] = {base->parameters[0], base->parameters[0]};
+    struct um_effect effect = *base;
+    for (size_t k = 0; k < 2; k++) {
+      two[k].name = cases[i].name[k];
+      two[k].formerly = cases[i].formerly[k];
+    }
+    effect.parameters = two;
+    effect.nparameter = 2;
+    um_core_message_clear(context);
+    enum um_status expected = cases[i].words == NULL ? UM_OK : UM_ERR_INPUT;
+    assert_int_equal(um_effects_check(context, &effect), expected);
+    if (cases[i].words != NULL && strstr(um_core_message(context), cases[i].words) == NULL)
+      fail_msg("case %zu said: %s", i, um_core_message(context));
+  }
+  um_core_context_destroy(&context);
+}
+
 static void names_are_cut_to_size(void **state)
 {
   (void)state;
@@ -131,6 +240,9 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(descriptors_are_complete),
+      cmocka_unit_test(the_same_kind_has_the_same_name),
+      cmocka_unit_test(former_names),
+      cmocka_unit_test(former_names_are_free),
       cmocka_unit_test(names_are_cut_to_size),
       cmocka_unit_test(switches_change_one_field),
       cmocka_unit_test(oblateness_leaves_other_shadows),

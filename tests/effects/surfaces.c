@@ -42,7 +42,7 @@ static void band_emissivity_scales_emission(void **state)
   (void)state;
   const double eps = 0.85, factor = 0.9;
   struct case_run a = case_with(case_plate, NULL);
-  struct case_run b = case_with(case_plate, "band_emissivity:" PANEL ",emissivity_factor=0.9");
+  struct case_run b = case_with(case_plate, "band_emissivity:" PANEL ",factor=0.9");
   /* grey panels have rho_d = 1 - eps beyond 2.5 um, so reflected sunlight and albedo rise too */
   assert_true(case_same_temperatures(&a, &b));
   for (int m = 0; m < UM_MECHANISM_COUNT; m++)
@@ -107,10 +107,10 @@ static void levels_are_linear(void **state)
 {
   (void)state;
   struct case_run full = case_with(case_plate, NULL);
-  struct case_run diffuse = case_with(case_plate, "specular_level:" PANEL ",F_factor=0");
-  struct case_run lobe = case_with(case_plate, "diffuse_level:" PANEL ",diffuse_factor=0");
-  struct case_run more = case_with(case_plate, "specular_level:" PANEL ",F_factor=1.3");
-  struct case_run less = case_with(case_plate, "diffuse_level:" PANEL ",diffuse_factor=0.6");
+  struct case_run diffuse = case_with(case_plate, "specular_level:" PANEL ",factor=0");
+  struct case_run lobe = case_with(case_plate, "diffuse_level:" PANEL ",factor=0");
+  struct case_run more = case_with(case_plate, "specular_level:" PANEL ",factor=1.3");
+  struct case_run less = case_with(case_plate, "diffuse_level:" PANEL ",factor=0.6");
   const int sun = UM_MECHANISM_SUN, earth = UM_MECHANISM_EARTH;
   double d = intensity(&diffuse, "vis", sun), l = intensity(&lobe, "vis", sun);
   assert_true(d > 0.0 && l > 0.1 * d);
@@ -133,9 +133,9 @@ static void levels_are_linear(void **state)
 static void roughness_widens_the_lobe(void **state)
 {
   (void)state;
-  static const char *const smooth[] = {"diffuse_level:" PANEL ",diffuse_factor=0", NULL},
-                           *const rough[] = {"diffuse_level:" PANEL ",diffuse_factor=0",
-                                             "roughness:" PANEL ",alpha_factor=1.4", NULL};
+  static const char *const smooth[] = {"diffuse_level:" PANEL ",factor=0", NULL},
+                           *const rough[] = {"diffuse_level:" PANEL ",factor=0",
+                                             "roughness:" PANEL ",factor=1.4", NULL};
   struct case_run a = case_compute(case_plate, smooth, NULL, NULL);
   struct case_run b = case_compute(case_plate, rough, NULL, NULL);
   double cos_i, cos_o, cos_h, disc = asin(6.957e8 / a.tables->sample[1].sun_distance);
@@ -158,11 +158,11 @@ static void roughness_widens_the_lobe(void **state)
 static void anisotropy_goes_across_the_grain(void **state)
 {
   (void)state;
-  static const char *const round[] = {"diffuse_level:" PANEL ",diffuse_factor=0", NULL},
-                           *const drawn[] = {"diffuse_level:" PANEL ",diffuse_factor=0",
-                                             "anisotropy:" PANEL ",across_factor=1.6", NULL},
-                           *const none[] = {"diffuse_level:" PANEL ",diffuse_factor=0",
-                                            "anisotropy:" PANEL ",across_factor=1", NULL};
+  static const char *const round[] = {"diffuse_level:" PANEL ",factor=0", NULL},
+                           *const drawn[] = {"diffuse_level:" PANEL ",factor=0",
+                                             "anisotropy:" PANEL ",factor=1.6", NULL},
+                           *const none[] = {"diffuse_level:" PANEL ",factor=0",
+                                            "anisotropy:" PANEL ",factor=1", NULL};
   struct case_run a = case_compute(case_plate, round, NULL, NULL);
   struct case_run b = case_compute(case_plate, drawn, NULL, NULL);
   struct case_run c = case_compute(case_plate, none, NULL, NULL);
@@ -215,8 +215,8 @@ static void write_thicker(const char *file_name)
 static void thin_film_is_a_thicker_record(void **state)
 {
   (void)state;
-  static const char *const thick[] = {"thin_film:mli_kapton,thickness_factor=2", NULL},
-                           *const same[] = {"thin_film:mli_kapton,thickness_factor=1", NULL},
+  static const char *const thick[] = {"thin_film:mli_kapton,factor=2", NULL},
+                           *const same[] = {"thin_film:mli_kapton,factor=1", NULL},
                            *const front[] = {"parts.0.front=mli_kapton", NULL},
                            *const own[] = {"parts.0.front=mli_kapton",
                                            "material_files=[thicker.yaml]", NULL};

@@ -190,9 +190,9 @@ static void test_sample(void **state)
 {
   (void)state;
   static const struct asked asked[] = {
-      {"emittance:grey_white=0.03", "emittance:grey_white,emittance_factor", false, 1.0, 0.03},
-      {"solar_absorptance:grey_white,absorptance_shift=0.02",
-       "solar_absorptance:grey_white,absorptance_shift", false, 0.0, 0.02},
+      {"emittance:grey_white=0.03", "emittance:grey_white,factor", false, 1.0, 0.03},
+      {"solar_absorptance:grey_white,shift=0.02", "solar_absorptance:grey_white,shift", false, 0.0,
+       0.02},
       {"parts.bus.shell.areal_heat_capacity_J_m2_K=150",
        "parts.bus.shell.areal_heat_capacity_J_m2_K", true, 3000.0, 150.0}};
   double *record, *mean, *plain;
@@ -221,8 +221,8 @@ static void test_periodic(void **state)
 {
   (void)state;
   static const struct asked asked[] = {
-      {"earth_ir_level=0.05", "earth_ir_level,olr_factor", false, 1.0, 0.05},
-      {"emittance:grey_white=0.03", "emittance:grey_white,emittance_factor", false, 1.0, 0.03}};
+      {"earth_ir_level=0.05", "earth_ir_level,factor", false, 1.0, 0.05},
+      {"emittance:grey_white=0.03", "emittance:grey_white,factor", false, 1.0, 0.03}};
   double *record, *mean;
   OK(um_core_allocate(context, 2 * nvalue(), sizeof *mean, &mean));
   forecast(periodic, 3, asked, 2, false, &record);
@@ -291,7 +291,7 @@ static void test_bend(void **state)
 {
   (void)state;
   static const struct asked asked[] = {
-      {"emittance:grey_white=0.15", "emittance:grey_white,emittance_factor", false, 1.0, 0.15}};
+      {"emittance:grey_white=0.15", "emittance:grey_white,factor", false, 1.0, 0.15}};
   const double at[4] = {0.99, 1.0, 1.01, 1.15};
   double *record, kelvin[4], *value;
   const size_t bus = 1 + NBAND * sizeof(struct um_forecast_band) / sizeof(double);

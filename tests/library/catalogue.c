@@ -30,7 +30,7 @@ static void test_effects(void **state)
   assert_non_null(emittance);
   assert_int_equal(emittance->targets, UMBRA_TARGET_MATERIAL);
   assert_int_equal(emittance->nparameter, 1);
-  assert_string_equal(emittance->parameter->name, "emittance_factor");
+  assert_string_equal(emittance->parameter->name, "factor");
   assert_string_equal(emittance->parameter->unit, "1");
   assert_close(emittance->parameter->null_value, 1.0, 0.0);
   assert_close(emittance->parameter->prior_sigma, 0.12, 0.0);

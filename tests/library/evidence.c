@@ -17,7 +17,7 @@ static int enter(void **state)
   if (session_enter(state) != 0) return -1;
   command_copy_data("box.yaml");
   command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--temperatures", "bus", "--seed", "5",
-                 "-o", "m.csv", "--with", "emittance:grey_white,emittance_factor=0.8", NULL);
+                 "-o", "m.csv", "--with", "emittance:grey_white,factor=0.8", NULL);
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
   ok(umbra_scenario_set(umbra, scenario, "time.step_s", "6"));
   ok(umbra_scenario_set(umbra, scenario, "time.start_utc", "2016-09-06T18:08:00Z"));
@@ -270,7 +270,7 @@ static void test_diagnose(void **state)
   assert_string_equal(f->effect, "emittance");
   assert_int_equal(f->confidence, UMBRA_CERTAIN);
   assert_true(f->p_value < 1e-6 && f->delta_bic < -100.0);
-  assert_string_equal(f->estimate[0].name, "emittance_factor");
+  assert_string_equal(f->estimate[0].name, "factor");
   assert_true(fabs(f->estimate[0].value - 0.8) < 3.0 * f->estimate[0].sigma);
   assert_true(f->nalternative > 0);
   for (size_t i = 0; i < f->nalternative; i++) {

@@ -54,7 +54,7 @@ static void test_log_of_a_run(void **state)
 static void test_changes_as_the_command(void **state)
 {
   (void)state;
-  static const char *const name[] = {"emittance_factor"};
+  static const char *const name[] = {"factor"};
   static const double value[] = {0.7};
   struct umbra_scenario *scenario;
   struct umbra_effect_change emittance = UMBRA_EFFECT_CHANGE, albedo = UMBRA_EFFECT_CHANGE;
@@ -79,8 +79,8 @@ static void test_changes_as_the_command(void **state)
   ok(umbra_result_write(umbra, result, "ours", NULL));
   command_expect(0, "run", "box.yaml", "--no-plots", "--out", "theirs", "--set",
                  "parts.bus.shell.areal_heat_capacity_J_m2_K=428.57142857142856", "--set",
-                 "time.step_s=30", "--with", "emittance:grey_white,emittance_factor=0.7",
-                 "--without", "albedo", NULL);
+                 "time.step_s=30", "--with", "emittance:grey_white,factor=0.7", "--without",
+                 "albedo", NULL);
   command_expect_same("ours", "theirs", tables);
   umbra_result_close(&result);
   umbra_scenario_close(&scenario);
@@ -230,8 +230,9 @@ static void test_errors(void **state)
 static void test_errors_of_effects(void **state)
 {
   (void)state;
-  static const char *const name[] = {"emittance_factor"}, *const wrong[] = {"emitance_factor"};
-  static const double value[] = {0.7}, large[] = {70.0};
+  static const char *const name[] = {"factor"}, *const wrong[] = {"facter"},
+                           *const both[] = {"factor", "emittance_factor"};
+  static const double value[] = {0.7, 0.7}, large[] = {70.0};
   struct umbra_scenario *scenario;
   struct umbra_model *model;
   struct umbra_effect_change change = UMBRA_EFFECT_CHANGE;
@@ -246,7 +247,11 @@ static void test_errors_of_effects(void **state)
   change.parameter = wrong;
   change.value = value;
   change.nparameter = 1;
-  refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "emittance_factor");
+  refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "'factor'");
+  change.parameter = both;
+  change.nparameter = 2;
+  refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "are one parameter");
+  change.nparameter = 1;
   change.parameter = name;
   change.value = large;
   refused(umbra_scenario_effect(umbra, scenario, &change), UMBRA_ERR_INPUT, "0.1 to 10");

@@ -92,7 +92,7 @@ static void test_what_if(void **state)
                            *heat = umbra_result_array(matrix, "temperature"),
                            *d_heat = umbra_result_array(matrix, "d_temperature");
   const size_t column[] = {column_of(s, "zero_point:vis.factor"),
-                           column_of(s, "emittance:grey_white.emittance_factor")};
+                           column_of(s, "emittance:grey_white.factor")};
   double value[] = {1.5, 0.99};
   size_t n = light->shape[1];
   ok(umbra_what_if(umbra, matrix, column, value, 2, &linear));

@@ -19,11 +19,12 @@ static struct umbra_result *variant(struct umbra_variants *variants,
 }
 
 /* A variant has the bits of a scenario with its changes where that is asked for, and is near
- * otherwise; the model stays; objects are closed in any order. */
+ * otherwise; the name that a parameter had before means the same; the model stays; objects are
+ * closed in any order. */
 static void test_variants(void **state)
 {
   (void)state;
-  static const char *const name[] = {"emittance_factor"};
+  static const char *const name[] = {"factor"}, *const former[] = {"emittance_factor"};
   static const double value[] = {0.7};
   struct umbra_effect_change emittance = UMBRA_EFFECT_CHANGE;
   struct umbra_variants_settings exact = UMBRA_VARIANTS_SETTINGS;
@@ -33,7 +34,7 @@ static void test_variants(void **state)
   struct umbra_variants *cold, *warm;
   emittance.effect = "emittance";
   emittance.target = "grey_white";
-  emittance.parameter = name;
+  emittance.parameter = former;
   emittance.value = value;
   emittance.nparameter = 1;
   change[0].effect = &emittance;
@@ -50,6 +51,7 @@ static void test_variants(void **state)
   umbra_variants_close(&cold);
   umbra_variants_close(&warm);
   ok(umbra_scenario_set_number(umbra, scenario, change[1].key, change[1].number));
+  emittance.parameter = name;
   ok(umbra_scenario_effect(umbra, scenario, &emittance));
   struct umbra_result *own = session_run(scenario);
   const char *const of[] = {"intensity", "temperature"};

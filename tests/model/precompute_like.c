@@ -163,9 +163,7 @@ static const struct {
   bool scales;
 } levels[] = {
     {{"environment.albedo=0"}, NULL, true},
-    {{"environment.olr_W_m2=200", "environment.albedo=0.4"},
-     "solar_irradiance,irradiance_factor=0.9",
-     true},
+    {{"environment.olr_W_m2=200", "environment.albedo=0.4"}, "solar_irradiance,factor=0.9", true},
     {{"environment.albedo=0.5", "thermal.samples=3"}, NULL, false},
     {{"environment.albedo=0.5", "environment.earth=knocke"}, NULL, false},
     {{"environment.earth=knocke"}, NULL, false},
@@ -194,7 +192,7 @@ static void test_places_go_by_the_sun(void **state)
   static const char *const albedo[MOST] = {"environment.earth=knocke", "environment.albedo=0.5"};
   const char *spin = "thermal.spin_loads=resolved";
   struct um_model *made = build_level(spin, set, NULL), *other = build_level(spin, albedo, NULL);
-  struct um_model *model = build_level(spin, set, "solar_irradiance,irradiance_factor=0.9");
+  struct um_model *model = build_level(spin, set, "solar_irradiance,factor=0.9");
   struct um_model_tables *own = NULL, *scaled = NULL, *anew = NULL;
   of_largest = 1e-6; /* what differs from the mean is a sum of its own */
   need(um_model_precompute(context, made, &own));

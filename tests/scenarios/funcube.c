@@ -28,10 +28,8 @@
 #define FACES    "parts.body.box.size_m=[0.1, 0.1, 0.1135]"
 #define CAPACITY "parts.body.shell.areal_heat_capacity_J_m2_K=4128" /* 270 J/K over these faces */
 #define WARM_ENDS                                                                                  \
-  "solar_absorptance:panel_side,absorptance_shift=0.008",                                          \
-      "solar_absorptance:panel_end,absorptance_shift=0.008",                                       \
-      "emittance:panel_side,emittance_factor=0.98869",                                             \
-      "emittance:panel_end,emittance_factor=0.98869"
+  "solar_absorptance:panel_side,shift=0.008", "solar_absorptance:panel_end,shift=0.008",           \
+      "emittance:panel_side,factor=0.98869", "emittance:panel_end,factor=0.98869"
 
 #define LIST(...) ((const char *const[]){__VA_ARGS__, NULL})
 #define NONE      ((const char *const[]){NULL})

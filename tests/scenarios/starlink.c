@@ -90,8 +90,8 @@ static void magnitudes_with_what_the_sky_decides(void **state)
   (void)state;
   static const char *const with[] = {"zero_point:v,factor=2.079",
                                      "background:v,irradiance_W_m2=2.649e-12",
-                                     "specular_level:starlink_chassis,F_factor=0.3643",
-                                     "specular_level:starlink_array,F_factor=1.008"};
+                                     "specular_level:starlink_chassis,factor=0.3643",
+                                     "specular_level:starlink_array,factor=1.008"};
   struct um_model_options options = {.with = with, .nwith = 4};
   struct um_compare_metrics m = metrics_of(&options);
   print_message("fitted: correlation %.4f, rms %.4f mag\n", m.correlation, m.rms_mag);

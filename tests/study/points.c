@@ -65,8 +65,8 @@ static double against_own_runs(const struct um_study_result *r, size_t stride)
     char set[100], emits[100], absorbs[100];
     const char *const with[2] = {emits, absorbs};
     snprintf(set, sizeof set, "parts.box.interior.power_W=%.17g", x[1]);
-    snprintf(emits, sizeof emits, "emittance:grey_panel,emittance_factor=%.17g", x[0] / emittance);
-    snprintf(absorbs, sizeof absorbs, "solar_absorptance:grey_white,absorptance_shift=%.17g",
+    snprintf(emits, sizeof emits, "emittance:grey_panel,factor=%.17g", x[0] / emittance);
+    snprintf(absorbs, sizeof absorbs, "solar_absorptance:grey_white,shift=%.17g",
              x[2] - absorptance);
     own_run(set, with, own, r->ntime);
     for (size_t q = 0; q < 4; q++) {

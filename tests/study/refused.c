@@ -20,8 +20,12 @@ static const struct {
     {"parameters: [{effect: emitance, target: grey_panel, from: 0.5, to: 1}]\n", "emittance"},
     {"parameters: [{effect: emittance, from: 0.5, to: 1}]\n", "needs a target"},
     {"parameters: [{effect: attitude_offset, from: 0.5, to: 1}]\n", "parameter beside it"},
-    {"parameters: [{effect: emittance, target: grey_panel, parameter: factor, from: 0.5, to: 1}]\n",
-     "emittance_factor"},
+    {"parameters: [{effect: emittance, target: grey_panel, parameter: level, from: 0.5, to: 1}]\n",
+     "accepted: factor"},
+    {"parameters: [{effect: emittance, target: grey_panel, parameter: emittance_factor, from: 0.5, "
+     "to: 1},\n"
+     "  {effect: emittance, target: grey_panel, parameter: factor, from: 0.5, to: 1}]\n",
+     "moves what 'emittance:grey_panel.factor'"},
     {"parameters: [{effect: emittance, target: grey_panel, from: 0.01, to: 1}]\n",
      "accepted: 0.1 to 10"},
     {"parameters: [{effect: zero_point, target: vis, from: 0.9, to: 1.1}]\n"
@@ -79,8 +83,37 @@ static void test_refused(void **state)
   world_clear(context);
 }
 
+/* A parameter by the name it had before is said once, and called by its present one. */
+static void test_former_name(void **state)
+{
+  (void)state;
+  static const char *const quick[] = {"thermal.start=isothermal", "thermal.orbits_before=0.05"};
+  struct um_study_run_options options = world_options(1, false);
+  struct um_study *study = NULL;
+  char text[4096] = "";
+  options.model = (struct um_model_options){.overrides = quick, .noverride = 2};
+  world_put("parameters: [{effect: emittance, target: grey_panel, parameter: emittance_factor, "
+            "from: 0.8, to: 1}]\n");
+  um_core_log_clear(context);
+  assert_int_equal(um_study_create(context, WORLD_STUDY, &options, &study), UM_OK);
+  const char *warning = strstr(um_core_log_text(context), "emittance_factor is now called factor");
+  assert_non_null(warning);
+  assert_null(strstr(warning + 1, "emittance_factor is now called factor"));
+  FILE *file = tmpfile();
+  assert_non_null(file);
+  assert_int_equal(um_study_print_check(context, study, file), UM_OK);
+  rewind(file);
+  text[fread(text, 1, sizeof text - 1, file)] = '\0';
+  fclose(file);
+  assert_non_null(strstr(text, "emittance:grey_panel.factor "));
+  assert_null(strstr(text, "emittance_factor"));
+  um_study_destroy(context, &study);
+  world_clear(context);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused),
+                                     cmocka_unit_test(test_former_name)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -95,6 +95,8 @@ static void changes_and_margins(void **state)
               "clock_body: [0, 0, "
               "1]}\", \"parts.plate.groups={plate: {power_W: 100}}\"]}\n"
               "  level: {analysis: steady, with: [\"solar_irradiance,irradiance_factor=0.9\"]}\n");
+  /* the name that the parameter had before, which is said */
+  assert_non_null(strstr(um_core_log_text(context), "irradiance_factor is now called factor"));
   double hot = pow(1414.0 / (2.0 * UM_STEFAN_BOLTZMANN), 0.25);
   const struct um_variant_case_place *p = place_of(&cases->item[0], "plate");
   check_near("hot", p->highest, hot, 1e-6);

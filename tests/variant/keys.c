@@ -53,7 +53,7 @@ static const char *const scenarios[] = {
     "  view_factor_rays: 64, samples: 1, facet_size_m: 2, exchange_patches: 64}\n"
     "sensors: {eye: {band: vis, aperture_m: 0.5, pixel_arcsec: 1, read_noise_e: 3, dark_e_s: 1}}\n"
     "effects: [{effect: zero_point, target: vis, factor: 0.9}, {effect: emittance,\n"
-    "  target: grey_white, emittance_factor: 0.95}]\n" ENDS,
+    "  target: grey_white, factor: 0.95}]\n" ENDS,
     /* An observer in a direction, a circular orbit with its periodic state, joints, solids. */
     "schema: 1\nname: direction\n" TIME "}\n"
     "orbit: {circular: {altitude_km: 600, beta_deg: 20}}\n"

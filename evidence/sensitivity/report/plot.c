@@ -46,7 +46,7 @@ static size_t colour_of(const struct shown *s, size_t row)
   return 0;
 }
 
-/* "absorptance_shift +0.03", of a switch "turned on". */
+/* "shift +0.03", of a switch "turned on". */
 static void width_text(const struct um_sensitivity_row *row, char out[160])
 {
   if (row->quality.way == UM_SENSITIVITY_BY_SWITCH) {

@@ -128,7 +128,7 @@ static void test_complete(void **state)
 static void test_found(void **state)
 {
   (void)state;
-  static const char *const hidden[] = {"emittance:grey_white,emittance_factor=0.9"};
+  static const char *const hidden[] = {"emittance:grey_white,factor=0.9"};
   struct um_diagnosis_options options = {0};
   struct case_of c;
   put_world("");

@@ -174,7 +174,7 @@ static void added_effect_leads_a_better_one(void **state)
 static void hopeless_fit_is_pruned(void **state)
 {
   (void)state;
-  const struct lists lists = {.with = LIST("heat_capacity:wing,capacity_factor=10"),
+  const struct lists lists = {.with = LIST("heat_capacity:wing,factor=10"),
                               .only = LIST("heat_capacity:wing")};
   struct diagnosed c = diagnose(&lists);
   const struct um_diagnosis_options options = {0};

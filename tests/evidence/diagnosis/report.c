@@ -115,7 +115,7 @@ static void test_improved(void **state)
       "power_W: 25, conductance_W_K: 2",
       "  - {effect: panel_extraction, target: panel, efficiency: 0.1875} # guessed\n"
       "  - {effect: albedo, off: true}\n"
-      "  - {effect: solar_absorptance, target: grey_white, absorptance_shift: 0.05",
+      "  - {effect: solar_absorptance, target: grey_white, shift: 0.05",
       "  - {effect: internal_power, target: bus, power_W: 41.5}\n"
       "  - {effect: zero_point, target: lwir, factor: 1.0078125}\n"
       "measurements:\n",

@@ -17,7 +17,7 @@
 #include "tests/evidence/diagnosis/pass_test.h"
 
 static const char *const overrides[] = {"parts.bus.interior.power_W=25"};
-static const char *const with[] = {"solar_absorptance:grey_white,absorptance_shift=0.05"};
+static const char *const with[] = {"solar_absorptance:grey_white,shift=0.05"};
 static const char *const without[] = {"albedo"};
 static const struct um_model_options changes = {.overrides = overrides,
                                                 .noverride = 1,
@@ -56,7 +56,7 @@ static inline void measure(void)
 {
   static const char *const hot[] = {"parts.bus.interior.power_W=25",
                                     "effects.panel_extraction:panel.efficiency=0.2"};
-  static const char *const powered[] = {"solar_absorptance:grey_white,absorptance_shift=0.05",
+  static const char *const powered[] = {"solar_absorptance:grey_white,shift=0.05",
                                         "internal_power:bus,power_W=40"};
   const struct um_model_options truth = {.overrides = hot,
                                          .noverride = 2,

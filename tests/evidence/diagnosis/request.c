@@ -13,13 +13,14 @@ static void test_requests(void **state)
   static const char *const nuisance[] = {"zero_point:vis,sigma=free", "time_tag,sigma=0.2,per=set",
                                          "zero_point:lwir"};
   static const char *const exclude[] = {"albedo"};
-  static const char *const wanted[] = {"internal_power:bus,power_W=3", "area:panel"};
+  static const char *const wanted[] = {"internal_power:bus,power_W=3", "area:panel",
+                                       "emittance:grey_white,emittance_factor=0.9"};
   const struct um_diagnosis_request_texts texts = {.nuisance = nuisance,
                                                    .exclude = exclude,
                                                    .wanted = wanted,
                                                    .nnuisance = 3,
                                                    .nexclude = 1,
-                                                   .nwanted = 2};
+                                                   .nwanted = 3};
   struct um_diagnosis_request r;
   assert_ok(um_model_create(context, "scene", NULL, &model));
   assert_ok(um_diagnosis_request_make(context, model, &texts, &r));
@@ -34,9 +35,11 @@ static void test_requests(void **state)
   assert_int_equal(r.nexclude, 2);
   assert_string_equal(r.exclude[0], "time_tag");
   assert_string_equal(r.exclude[1], "albedo");
-  assert_int_equal(r.nwanted, 2);
+  assert_int_equal(r.nwanted, 3);
   assert_true(r.wanted[0].value[0] == 3.0);
   assert_true(isnan(r.wanted[1].value[0]));
+  assert_true(r.wanted[2].value[0] == 0.9);
+  assert_non_null(strstr(um_core_log_text(context), "emittance_factor is now called factor"));
   um_diagnosis_request_release(context, &r);
   static const struct {
     const char *nuisance, *wanted, *says;
@@ -50,6 +53,7 @@ static void test_requests(void **state)
       {NULL, "internal_power", "--add internal_power: effect 'internal_power' needs a target"},
       {NULL, "internal_power:bus,heat_W=1", "no parameter 'heat_W'; accepted: power_W"},
       {NULL, "internal_power:bus,power_W=x", "power_W 'x'; accepted: "},
+      {NULL, "area:panel,area_factor=0.9,factor=0.9", "area_factor and factor are one parameter"},
   };
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
     const struct um_diagnosis_request_texts one = {.nuisance = &refused[i].nuisance,

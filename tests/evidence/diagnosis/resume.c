@@ -124,7 +124,7 @@ static void test_resumed(void **state)
 {
   (void)state;
   const struct lists lists = {
-      .with = LIST("zero_point:vis,factor=0.9", "emittance:grey_panel,emittance_factor=0.8")};
+      .with = LIST("zero_point:vis,factor=0.9", "emittance:grey_panel,factor=0.8")};
   struct um_compare_measurements *measured;
   size_t length, is;
   assert_int_equal(um_test_folder_create(folder), 0);

@@ -28,7 +28,7 @@ static void prior_is_said(void **state)
   assert_true(sun->excluded_by_prior && !sun->excluded_by_range && !sun->indistinguishable);
   assert_true(fabs(sun->chi2 - c.d->chi2_after) < UM_DIAGNOSIS_EVIDENCE);
   assert_int_equal(strncmp(c.d->summary, "Missing: zero_point:vis factor 0.", 33), 0);
-  says(&c, "; solar_irradiance irradiance_factor 0.");
+  says(&c, "; solar_irradiance factor 0.");
   says(&c, "instead of 1361 W/m^2)");
   says(&c, " fits as well, but is ");
   assert_int_equal(c.d->step[0].confidence, UM_CONFIDENCE_CERTAIN);
@@ -50,7 +50,7 @@ static void range_is_said(void **state)
 {
   (void)state;
   struct lists lists = {.set = LIST("parts.wing.electrical_extraction=0.02"),
-                        .with = LIST("solar_absorptance:grey_panel,absorptance_shift=0.031"),
+                        .with = LIST("solar_absorptance:grey_panel,shift=0.031"),
                         .only = LIST("solar_absorptance:grey_panel", "panel_extraction"),
                         .of = "lwir"};
   struct diagnosed c = diagnose(&lists);
@@ -60,7 +60,7 @@ static void range_is_said(void **state)
   says(&c, "; panel_extraction:wing efficiency ");
   says(&c, " would fit as well, but its range ends there");
   end(&c);
-  lists.with = LIST("solar_absorptance:grey_panel,absorptance_shift=0.08");
+  lists.with = LIST("solar_absorptance:grey_panel,shift=0.08");
   c = diagnose(&lists);
   none = alternative(&c, 0, "panel_extraction:wing");
   assert_false(none->excluded_by_range);
@@ -72,7 +72,7 @@ static void range_is_said(void **state)
 static void values_are_whole(void **state)
 {
   (void)state;
-  struct lists lists = {.with = LIST("earth_ir_level,olr_factor=0.8439"),
+  struct lists lists = {.with = LIST("earth_ir_level,factor=0.8439"),
                         .only = LIST("earth_ir_level", "zero_point:vis")};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_FOUND);

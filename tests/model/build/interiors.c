@@ -137,7 +137,7 @@ static void effects_reach_them_by_name(void **state)
     heat_release(&b);
   }
   struct heat_run a = heat_compute(LIST(TWO), NONE, NONE);
-  struct heat_run b = heat_compute(LIST(TWO), LIST("stored_heat:bus.boards,delta_K=10"), NONE);
+  struct heat_run b = heat_compute(LIST(TWO), LIST("stored_heat:bus.boards,shift_K=10"), NONE);
   double off = heat_temperature(&b, "bus.boards", 0) - heat_temperature(&a, "bus.boards", 0);
   assert_true(fabs(off - 10.0) <= 1e-9);
   assert_true(heat_temperature(&b, "bus.frame", 0) == heat_temperature(&a, "bus.frame", 0));

@@ -65,9 +65,8 @@ static void tables_are_the_lumped_walls(void **state)
                         "parts.panel.start_temperature_K=280"),
                    NONE, NONE)};
   struct heat_run white[] = {
-      heat_compute(LIST(LUMPED), LIST("solar_absorptance:grey_white,absorptance_shift=0.2"), NONE),
-      heat_compute(LIST(NETWORK), LIST("solar_absorptance:grey_white,absorptance_shift=0.2"),
-                   NONE)};
+      heat_compute(LIST(LUMPED), LIST("solar_absorptance:grey_white,shift=0.2"), NONE),
+      heat_compute(LIST(NETWORK), LIST("solar_absorptance:grey_white,shift=0.2"), NONE)};
   same(&steady[0], &steady[1]);
   same(&cooling[0], &cooling[1]);
   same(&white[0], &white[1]);

@@ -159,7 +159,7 @@ static void test_effects(void **state)
   (void)state;
   static const char *const with[] = {"zero_point:vis,factor=0.8"}, *const without[] = {"twilight"};
   static const char *const both[] = {"zero_point:vis,factor=0.8",
-                                     "emittance:grey_white,emittance_factor=0.9"};
+                                     "emittance:grey_white,factor=0.9"};
   const struct um_model_options some = {
       .with = with, .nwith = 1, .without = without, .nwithout = 1};
   const struct um_model_options all = {.with = both, .nwith = 2, .without = without, .nwithout = 1};

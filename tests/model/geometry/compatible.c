@@ -81,7 +81,7 @@ static const struct {
     {"parts.wing.plate.size_m=[2,1.001]", NULL, ANOTHER},
     {"parts.wing.joint.normal=[0,0.01,1]", NULL, ANOTHER},
     {"parts.box.facet_size_m=0.7", NULL, ANOTHER},
-    {NULL, "emittance:grey_white,emittance_factor=0.9", COMPATIBLE},
+    {NULL, "emittance:grey_white,factor=0.9", COMPATIBLE},
     {NULL, "solar_absorptance:grey_panel", COMPATIBLE},
     {NULL, "roughness:grey_panel", COMPATIBLE},
     {NULL, "internal_power:box", COMPATIBLE},

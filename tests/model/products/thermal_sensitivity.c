@@ -427,7 +427,7 @@ static void test_start_offset(void **state)
   static const char *const set[] = {"time.step_s=60", "time.exposure_s=0",
                                     "thermal.start=isothermal", "thermal.orbits_before=0.05",
                                     "parts.bus.interior.capacity_J_K=3000"};
-  static const char *const with[] = {"stored_heat:bus,delta_K=5"};
+  static const char *const with[] = {"stored_heat:bus,shift_K=5"};
   const struct um_model_options options = {
       .overrides = set, .noverride = 5, .with = with, .nwith = 1};
   const struct moved power = {"internal_power", "bus", 0, NAN, 1.0, 1e-3};
