@@ -3,9 +3,11 @@
 
 #include "app/app.h"
 
-#define WIDTH   80 /* of a line */
-#define COLUMN  26 /* where texts beside options begin */
-#define PROGRAM "umbra"
+#define WIDTH       80 /* of a line */
+#define COLUMN      26 /* where texts beside options begin */
+#define PATH_COLUMN 38 /* .. beside commands of the usual way */
+#define VERB_COLUMN 21 /* .. beside verbs */
+#define PROGRAM     "umbra"
 
 /* A text in lines of WIDTH that begin at `indent`; the first is `at` characters long already. */
 static void put_wrapped(FILE *file, const char *text, int indent, int at)
@@ -90,6 +92,17 @@ static void heading(FILE *file, const char *what, const struct um_app_verb *verb
     fprintf(file, "\n%s:\n", what);
 }
 
+/* "materials: surfaces that parts are made of" and so on, a line each. */
+static void help_things(FILE *file, int at)
+{
+  const struct um_app_thing *thing;
+  for (size_t i = 0; (thing = um_app_thing_at(i)) != NULL; i++, at = 0) {
+    char text[160];
+    snprintf(text, sizeof text, "%s: %s", thing->word, thing->holds);
+    put_wrapped(file, text, COLUMN, at);
+  }
+}
+
 static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page)
 {
   static const char *const meaning[] = {
@@ -102,6 +115,8 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
       [UM_APP_SECTIONS] = "path of a key or section; without it all of the reference",
       [UM_APP_SHELLS] = "bash or zsh",
+      [UM_APP_THINGS] = NULL, /* what the table has */
+      [UM_APP_ONE] = "name of one, or the path of a key; without it all are listed",
       [UM_APP_VERBS] = "a command; without it all are listed"};
   const char *list = verb->arguments;
   char name[32];
@@ -109,7 +124,11 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
   if (list[0] != '\0') heading(file, "Arguments", verb, page);
   while (um_app_argument_next(&list, name, &optional)) {
     int at = fprintf(file, "  %s  ", name);
-    put_wrapped(file, meaning[um_app_argument_offers(name)], COLUMN, at);
+    enum um_app_offers offers = um_app_argument_offers(name);
+    if (offers == UM_APP_THINGS)
+      help_things(file, at);
+    else
+      put_wrapped(file, meaning[offers], COLUMN, at);
   }
 }
 
@@ -178,25 +197,54 @@ static void title(FILE *file)
         file);
 }
 
+/* From nothing to a result that is held against measurements: what a newcomer types. */
+static const struct {
+  const char *command, *does;
+} path[] = {
+    {"umbra check SCENARIO", "see what was understood"},
+    {"umbra run SCENARIO", "light curves, temperatures, pictures"},
+    {"umbra compare SCENARIO MEASURED", "how far measurements are off"},
+    {"umbra diagnose SCENARIO MEASURED", "which effect is missing"},
+};
+
+static void help_path(FILE *file)
+{
+  fputs("The usual way:\n", file);
+  for (size_t i = 0; i < sizeof path / sizeof path[0]; i++)
+    put_wrapped(file, path[i].does, PATH_COLUMN, fprintf(file, "  %s  ", path[i].command));
+}
+
+static const char *const group_name[UM_APP_GROUPS] = {[UM_APP_SIMULATE] = "Simulate",
+                                                      [UM_APP_OBSERVE] = "Observe",
+                                                      [UM_APP_COMPARE] = "Compare",
+                                                      [UM_APP_EXPLORE] = "Explore",
+                                                      [UM_APP_LOOK_UP] = "Look up"};
+
 void um_app_help(FILE *file)
 {
   title(file);
-  for (size_t i = 0; i < um_app_verb_count(); i++) {
-    const struct um_app_verb *verb = um_app_verb_at(i);
-    int at = fprintf(file, "  " PROGRAM " %s%s%s  ", verb->name,
-                     verb->arguments[0] != '\0' ? " " : "", verb->arguments);
-    put_wrapped(file, verb->summary, 2 + 6 + 28, at);
+  help_path(file);
+  for (int group = 0; group < UM_APP_GROUPS; group++) {
+    fprintf(file, "\n%s:\n", group_name[group]);
+    for (size_t i = 0; i < um_app_verb_count(); i++) {
+      const struct um_app_verb *verb = um_app_verb_at(i);
+      if (verb->group != (enum um_app_group)group) continue;
+      int at = fprintf(file, "  " PROGRAM " %s  ", verb->name);
+      put_wrapped(file, verb->summary, VERB_COLUMN, at);
+    }
   }
-  fputs("\n  umbra COMMAND --help   its options, their defaults, examples\n"
-        "  umbra --version\n"
-        "\nScenarios come with the program; umbra check NAME says where one lies.\n",
+  fputs("\n  umbra COMMAND --help   its arguments, options, examples\n"
+        "  umbra list scenarios   scenarios that come with the program\n"
+        "  umbra --version\n",
         file);
 }
 
 int um_app_help_command(struct um_context *context, const struct um_app_options *options)
 {
   const char *name = options->npositional > 0 ? options->positional[0] : "";
-  const struct um_app_verb *verb = um_app_verb_find(name);
+  const struct um_app_old_name *old =
+      um_app_old_name_find(2, (char *[]){(char *)PROGRAM, (char *)name, NULL});
+  const struct um_app_verb *verb = um_app_verb_find(old != NULL ? old->verb : name);
   char unknown[UM_APP_UNKNOWN];
   (void)context;
   if (verb != NULL) {

@@ -17,10 +17,10 @@ static const struct um_app_option table[] = {
      .example = "-o measured.csv", .help = "The file to write."},
     {"set", "set", "KEY=VALUE", LIST(set), .example = "--set parts.bus.interior.power_W=50",
      .help = "Change a key of the scenario; names stand where lists have names. A list takes "
-             "LIST.+=VALUE at its end. See umbra schema."},
+             "LIST.+=VALUE at its end. See umbra list keys."},
     {"with", "with", "EFFECT[:TARGET][,NAME=VALUE]...", LIST(with), .offers = UM_APP_EFFECTS,
      .example = "--with internal_power:bus,power_W=20",
-     .help = "Switch an effect on, or change its parameters. See umbra effects."},
+     .help = "Switch an effect on, or change its parameters. See umbra list effects."},
     {"without", "without", "EFFECT[:TARGET]", LIST(without), .offers = UM_APP_EFFECTS,
      .example = "--without albedo", .help = "Switch an effect off."},
     {"effect-file", "effect-file", "FILE", LIST(effect_file), .offers = UM_APP_FILES,
@@ -268,7 +268,7 @@ enum um_app_offers um_app_argument_offers(const char *name)
       {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES}, {"FRAME...", UM_APP_FILES},
       {"STARS", UM_APP_TABLES},       {"EFFECT", UM_APP_EFFECTS},   {"MATERIAL", UM_APP_MATERIALS},
       {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},    {"SHELL", UM_APP_SHELLS},
-      {"COMMAND", UM_APP_VERBS}};
+      {"COMMAND", UM_APP_VERBS},      {"WHAT", UM_APP_THINGS},      {"ITEM", UM_APP_ONE}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

@@ -80,7 +80,7 @@ static enum um_status effect_binding(struct um_context *context, const struct um
     if (p->parameter == NULL)
       return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
                                    "'%s' has %zu parameters; accepted: parameter beside it, one of "
-                                   "`umbra effects %s`",
+                                   "`umbra list effects %s`",
                                    effect->name, effect->nparameter, effect->name);
     return blame(context, p, "parameter",
                  um_effects_refuse_parameter(context, effect, p->parameter));

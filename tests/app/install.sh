@@ -43,20 +43,20 @@ cd "$folder/work"
 
 # Its own records: one that the source tree does not have is found, one that is gone is missed.
 sed 's/^name:.*/name: only_installed/' "$tree/share/umbra/materials/black.yaml" >"$tree/share/umbra/materials/only_installed.yaml"
-expect only_installed umbra materials
+expect only_installed umbra list materials
 rm "$tree/share/umbra/materials/only_installed.yaml"
 mv "$tree/share/umbra/materials" "$tree/share/umbra/gone"
-if umbra materials >said 2>&1; then fail "materials of another tree are used: $(cat said)"; fi
+if umbra list materials >said 2>&1; then fail "materials of another tree are used: $(cat said)"; fi
 grep -q "UMBRA_DATA names a folder that holds materials/" said || fail "no advice: $(cat said)"
 UMBRA_DATA="$source/materials" # holds no folder materials/
 export UMBRA_DATA
-if umbra materials >said 2>&1; then fail "UMBRA_DATA is not heard"; fi
+if umbra list materials >said 2>&1; then fail "UMBRA_DATA is not heard"; fi
 unset UMBRA_DATA
 mv "$tree/share/umbra/gone" "$tree/share/umbra/materials"
 
 # A link to it elsewhere on the path works too.
 ln -s "$tree/bin/umbra" linked
-expect mli_kapton ./linked materials
+expect mli_kapton ./linked list materials
 
 expect "did you mean '$tree/share/umbra/scenarios/sphere'" sh -c 'umbra check sphere 2>&1 || true'
 expect "results in out/sphere" umbra run "$tree/share/umbra/scenarios/sphere" --no-plots --set time.step_s=60 --out out/sphere
@@ -72,5 +72,5 @@ while read -r header; do
   "$cc" -std=c17 -Wall -Werror -I"$tree/include/umbra" -fsyntax-only one.c || fail "$header does not stand alone"
 done <headers
 "$cc" -std=c17 -O2 -shared -fPIC -I"$tree/include/umbra" -o own.so "$tree/share/doc/umbra/examples/effects/pileup.c"
-expect "q_m2_W" umbra effects pileup --effect-file own.so
+expect "q_m2_W" umbra list effects pileup --effect-file own.so
 echo "install: all well"

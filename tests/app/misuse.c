@@ -68,9 +68,19 @@ static const struct misuse {
     {{"attitude", "a"}, "MEASURED is missing", "usage: umbra attitude SCENARIO MEASURED"},
     {{"attitude", "a", "b", "--period", "5,3"}, "--period takes", "usage: umbra attitude"},
     {{"attitude", "a", "b", "--axis-step", "0"}, "--axis-step takes", "usage: umbra attitude"},
-    {{"materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra materials"},
-    {{"effects", "--out", "x"}, "does not take --out", "usage: umbra effects"},
-    {{"schema", "x", "y"}, "too many arguments: 'y'", "usage: umbra schema"},
+    {{"list"}, "WHAT is missing", "usage: umbra list WHAT [ITEM]"},
+    {{"list", "planets"},
+     "nothing is listed under 'planets'; accepted: materials, filters, sensors, effects, keys, "
+     "scenarios",
+     "usage: umbra list"},
+    {{"list", "materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra list"},
+    {{"list", "effects", "--out", "x"}, "does not take --out", "usage: umbra list"},
+    {{"list", "filters", "--effect-file", "x"},
+     "--effect-file belongs to umbra list effects",
+     "usage: umbra list"},
+    {{"material", "panel"},
+     "accepted: --from-brdf FILE, --from-profile FILE, --from-reflectance FILE",
+     "usage: umbra material"},
     {{"validate", "x"}, "too many arguments: 'x'", "usage: umbra validate"},
 };
 
@@ -134,9 +144,9 @@ static void test_help(void **state)
   assert_int_equal(help.code, 0);
   assert_string_equal(help.err, "");
   assert_string_equal(help.out, none.err);
-  static const char *const verbs[] = {
-      "run",   "check",  "passes",    "forecast", "render", "compare",  "diagnose",   "fit",
-      "synth", "period", "materials", "effects",  "schema", "validate", "completion", "help"};
+  static const char *const verbs[] = {"run",     "check",    "passes",   "forecast",   "render",
+                                      "compare", "diagnose", "fit",      "synth",      "period",
+                                      "list",    "material", "validate", "completion", "help"};
   for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
     char usage[64];
     snprintf(usage, sizeof usage, "  umbra %s", verbs[i]);
