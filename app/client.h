@@ -78,6 +78,7 @@ struct um_app_options {
   int solutions;                  /* --solutions */
   bool study_check;               /* of study: --check */
   const char *measured;           /* of study: --measured FILE */
+  bool times;                     /* of forecast: --times */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
   /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */
@@ -221,8 +222,8 @@ void um_app_effect_manual(FILE *file, const struct umbra *umbra);
 
 /* The commands. */
 um_app_command um_app_run, um_app_list, um_app_scenarios, um_app_material, um_app_study,
-    um_app_cases, um_app_exchange, um_app_check, um_app_passes, um_app_forecast, um_app_filters,
-    um_app_retrieve, um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
+    um_app_cases, um_app_exchange, um_app_check, um_app_forecast, um_app_filters, um_app_retrieve,
+    um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
     um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
     um_app_render, um_app_frame, um_app_expand, um_app_attitude, um_app_map, um_app_compare,
     um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity, um_app_synth,

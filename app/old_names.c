@@ -14,6 +14,7 @@ static const struct um_app_old_name table[] = {
     {"sensors", "list", "sensors", NULL},
     {"effects", "list", "effects", NULL},
     {"schema", "list", "keys", NULL},
+    {"passes", "forecast", "--times", NULL},
 };
 
 const struct um_app_old_name *um_app_old_name_find(int argc, char **argv)

@@ -150,12 +150,37 @@ static int check_arguments(const struct um_app_verb *verb, const struct um_app_o
   return UM_APP_DONE;
 }
 
-/* Was an option given that takes a text or a list? */
-static bool is_given(const struct um_app_option *option, const struct um_app_options *o)
+bool um_app_option_given(const struct um_app_option *option, const struct um_app_options *options)
 {
-  const char *at = (const char *)o + (option->takes == UM_APP_LIST ? option->count : option->at);
-  if (option->takes == UM_APP_LIST) return *(const size_t *)(const void *)at > 0;
-  return *(const char *const *)(const void *)at != NULL;
+  const char *base = (const char *)options;
+  const void *at = base + option->at, *count = base + option->count;
+  switch (option->takes) {
+  case UM_APP_FLAG:
+    return *(const bool *)at;
+  case UM_APP_TEXT:
+    return *(const char *const *)at != NULL;
+  case UM_APP_LIST:
+    return *(const size_t *)count > 0;
+  case UM_APP_NUMBER:
+    return *(const int *)at != 0;
+  case UM_APP_SHARE:
+    return *(const double *)at > 0.0;
+  case UM_APP_THREADS:
+  case UM_APP_HELP:
+    break;
+  }
+  return false;
+}
+
+int um_app_options_refuse(const struct um_app_options *options, const char *list, const char *why)
+{
+  const struct um_app_option *o;
+  while ((o = um_app_option_next(&list)) != NULL) {
+    if (!um_app_option_given(o, options)) continue;
+    fprintf(stderr, "umbra: --%s %s\n", o->name, why);
+    return UM_APP_MISUSE;
+  }
+  return UM_APP_DONE;
 }
 
 /* Options without which the verb cannot work: all that are missing. */
@@ -167,7 +192,7 @@ static int check_needed(const struct um_app_verb *verb, const struct um_app_opti
   while ((option = um_app_option_next(&list)) != NULL) {
     size_t n = strlen(missing);
     const char *comma = n > 0 ? ", " : "";
-    if (is_given(option, o)) continue;
+    if (um_app_option_given(option, o)) continue;
     if (option->letter != '\0')
       snprintf(missing + n, sizeof missing - n, "%s-%c %s", comma, option->letter,
                option->argument);

@@ -32,23 +32,19 @@ static const struct um_app_verb verbs[] = {
               "UMBRA_CACHE names a folder where view factors are kept between runs.",
      .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
      .run = um_app_exchange, .group = UM_APP_SIMULATE},
-    {"passes", "SCENARIO", "when the satellite rises over the station, and what is sunlit",
-     .accepts = "set effect-file allow-effects json",
-     .about =
-         "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
-     .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes,
-     .group = UM_APP_OBSERVE},
     {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
-     .accepts = "out days from station minimum-elevation uncertain " CHANGES
+     .accepts = "times out days from station minimum-elevation uncertain " CHANGES
                 " workers share resume " RESULTS,
      .about =
          "Computes every pass of the station, or of several, and writes passes.csv, curves.csv, "
          "a calendar (passes.ics) and a picture: rise, culmination, set, shadow, magnitude, "
-         "infrared signal, temperatures, and whether the sky is dark; with --uncertain each with "
+         "infrared signal, temperatures, and whether the sky is dark. With --times it prints the "
+         "times alone, in a second; with --uncertain each with "
          "its error bar. Passes that are done are "
          "on record beside the results until these are written, so that --resume goes on. "
          "Under mpirun or srun all processes compute.",
-     .examples = "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
+     .examples = "umbra forecast scenarios/envisat-graz-2016 --times\n"
+                 "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
                  "umbra forecast scenarios/envisat-graz-2016 --station Graz,47.067,15.493,495 "
                  "--station Zimmerwald,46.877,7.465,951\n"
                  "umbra forecast scenarios/envisat-graz-2016 --uncertain emittance:mli_kapton=0.05 "

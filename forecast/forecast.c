@@ -140,6 +140,38 @@ enum um_status um_forecast_open(struct um_context *context, const struct um_fore
   return um_study_identity_open(context, h->identity, task, out);
 }
 
+/* Days around the scenario, so that its own pass is seen whole. */
+static void take_days(struct held *h, const struct um_scenario_time *time)
+{
+  struct um_forecast *f = &h->forecast;
+  double half = fmax(0.5 * DAY, 0.5 * (time->stop - time->start));
+  bool around = isnan(h->ask.days);
+  f->from = isnan(h->ask.from) ? time->start : h->ask.from;
+  if (around) f->from = 0.5 * (time->start + time->stop) - half;
+  f->to = f->from + (around ? 2.0 * half : h->ask.days * DAY);
+}
+
+/* Days, stations and what begins with the scenario; bands and runs are not looked at. */
+static enum um_status prepare_times(struct um_context *context, struct held *h)
+{
+  struct um_forecast *f = &h->forecast;
+  const struct um_model *model = h->work.model = h->model;
+  take_days(h, model->scenario->time);
+  UM_TRY(um_core_strdup(context, model->scenario->name, &f->name));
+  UM_TRY(name_stations(context, h, model));
+  f->minimum_elevation = isnan(h->ask.minimum_elevation)
+                             ? model->scenario->observer->minimum_elevation_deg * UM_DEG
+                             : h->ask.minimum_elevation;
+  return um_forecast_pin(context, model, &h->work);
+}
+
+static enum um_status find_all(struct um_context *context, struct held *h)
+{
+  struct um_forecast *f = &h->forecast;
+  for (size_t s = 0; s < f->nstation; s++) UM_TRY(um_forecast_find(context, &h->work, f, s));
+  return um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise);
+}
+
 static enum um_status prepare(struct um_context *context, struct held *h)
 {
   struct um_forecast *f = &h->forecast;
@@ -149,16 +181,9 @@ static enum um_status prepare(struct um_context *context, struct held *h)
   UM_TRY(um_core_snapshot_begin(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
-  const struct um_model *model = h->work.model = h->model;
-  f->from = isnan(h->ask.from) ? model->scenario->time->start : h->ask.from;
-  f->to = f->from + h->ask.days * DAY;
-  UM_TRY(um_core_strdup(context, model->scenario->name, &f->name));
-  UM_TRY(name_stations(context, h, model));
-  f->minimum_elevation = isnan(h->ask.minimum_elevation)
-                             ? model->scenario->observer->minimum_elevation_deg * UM_DEG
-                             : h->ask.minimum_elevation;
+  UM_TRY(prepare_times(context, h));
+  const struct um_model *model = h->model;
   UM_TRY(name_outputs(context, h, model));
-  UM_TRY(um_forecast_pin(context, model, &h->work));
   UM_TRY(read_uncertain(context, h));
   h->work.thermal = f->thermal;
   h->work.light_has_sign = um_study_light_has_sign(model);
@@ -177,8 +202,7 @@ enum um_status um_forecast_create(struct um_context *context, const struct um_fo
   struct um_forecast *f = &h->forecast;
   h->ask = *ask;
   UM_CHECK(prepare(context, h));
-  for (size_t s = 0; s < f->nstation; s++) UM_CHECK(um_forecast_find(context, &h->work, f, s));
-  UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
+  UM_CHECK(find_all(context, h));
   h->work.checked = f->npass > 0 ? f->pass[0].start : (double)NAN;
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;
@@ -195,6 +219,29 @@ done:
     f = &h->forecast;
     um_forecast_destroy(context, &f);
   }
+  return status;
+}
+
+enum um_status um_forecast_times(struct um_context *context, const struct um_forecast_ask *ask,
+                                 struct um_forecast **out)
+{
+  enum um_status status;
+  struct held *h;
+  struct um_forecast *f;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
+  h->ask = *ask;
+  h->work.times = &h->ask;
+  UM_CHECK(um_core_snapshot_begin(context)); /* every station is of the same bytes */
+  h->holds_files = true;
+  UM_CHECK(um_model_create_orbit(context, ask->path, ask->options, &h->model));
+  UM_CHECK(prepare_times(context, h));
+  UM_CHECK(find_all(context, h));
+  *out = &h->forecast;
+  h = NULL;
+done:
+  f = h == NULL ? NULL : &h->forecast;
+  um_forecast_destroy(context, &f);
   return status;
 }
 
@@ -296,7 +343,7 @@ void um_forecast_destroy(struct um_context *context, struct um_forecast **foreca
   if (forecast == NULL || *forecast == NULL) return;
   struct held *h = (struct held *)(void *)*forecast;
   struct um_forecast *f = *forecast;
-  for (size_t i = 0; i < f->npass; i++) um_core_free(context, f->pass[i].reason);
+  for (size_t i = 0; i < f->npass; i++) UM_FREE(context, f->pass[i].reason, f->pass[i].event);
   for (size_t i = 0; i < f->nband; i++) um_core_free(context, f->band[i]);
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
   for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);

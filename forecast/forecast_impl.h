@@ -23,6 +23,7 @@ struct um_forecast_unknowns {
 /* What a pass needs to be run; nothing of it changes while a batch lives. */
 struct um_forecast_work {
   const struct um_model *model;           /* the scenario as it stands */
+  const struct um_forecast_ask *times;    /* of times alone: `model` has no parts; else NULL */
   struct um_variant_evaluator *evaluator; /* of it, at one instant: its heat is where passes' heat
                                              starts from */
   const struct um_forecast_station *station; /* NULL: the scenario's own */

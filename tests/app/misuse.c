@@ -36,7 +36,13 @@ static const struct misuse {
     {{"run", "a", "--time", "now"}, "does not take --time", "usage: umbra run"},
     {{"check"}, "SCENARIO is missing", "usage: umbra check SCENARIO"},
     {{"check", "a", "--force"}, "does not take --force", "usage: umbra check"},
-    {{"passes"}, "SCENARIO is missing", "usage: umbra passes SCENARIO"},
+    {{"forecast"}, "SCENARIO is missing", "usage: umbra forecast SCENARIO"},
+    {{"forecast", "a", "--times", "--out", "x"},
+     "--out does not go with --times",
+     "usage: umbra forecast"},
+    {{"forecast", "a", "--times", "--workers", "2"},
+     "--workers does not go with --times",
+     "usage: umbra forecast"},
     {{"render", "a"}, "--time UTC, --band B, -o FILE is missing", "usage: umbra render SCENARIO"},
     {{"render", "a", "--time", "now", "--band", "vis"},
      "-o FILE is missing",
@@ -144,9 +150,9 @@ static void test_help(void **state)
   assert_int_equal(help.code, 0);
   assert_string_equal(help.err, "");
   assert_string_equal(help.out, none.err);
-  static const char *const verbs[] = {"run",     "check",    "passes",   "forecast",   "render",
-                                      "compare", "diagnose", "fit",      "synth",      "period",
-                                      "list",    "material", "validate", "completion", "help"};
+  static const char *const verbs[] = {"run",      "check",    "forecast",   "render", "compare",
+                                      "diagnose", "fit",      "synth",      "period", "list",
+                                      "material", "validate", "completion", "help"};
   for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
     char usage[64];
     snprintf(usage, sizeof usage, "  umbra %s", verbs[i]);

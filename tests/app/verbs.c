@@ -46,7 +46,7 @@ static void test_json(void **state)
     const char *argument[8], *holds;
   } cases[] = {
       {{"check", "box.yaml", "--json"}, "\"area_m2\": 6,"},
-      {{"passes", "box.yaml", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
+      {{"forecast", "box.yaml", "--times", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
       {{"list", "materials", "--json"}, "\"name\": \"grey_white\""},
       {{"list", "materials", "grey_white", "--json"}, "\"solar_absorptance\": 0.2,"},
       {{"material", "--from-reflectance", "ratio.csv", "--json"}, "\"above_one\": 1,"},
@@ -128,7 +128,9 @@ static void test_text(void **state)
     const char *argument[4], *holds[5];
   } cases[] = {
       {{"check", "box.yaml"}, {"box: 2016-09-06T18:07:00.000Z to", "6.0000      1.0000  closed"}},
-      {{"passes", "box.yaml"}, {"over Graz", "culminates", "azimuth", "leaves the umbra"}},
+      {{"forecast", "box.yaml", "--times"},
+       {"7 passes above 0 deg over Graz from 2016-09-06T06:09:00.000Z to 2016-09-07T06:09",
+        "culminates", "azimuth", "leaves the umbra"}},
       {{"list", "materials"}, {"grey_white", "aluminium_bare", "solar abs."}},
       {{"list", "materials", "grey_white"}, {"solar absorptance 0.2000", "hemispherical 0.8800"}},
       {{"list", "effects"}, {"albedo", "penumbra", "oblateness"}},
@@ -170,7 +172,7 @@ static void test_failures(void **state)
       {{"list", "keys", ""}, "scenario has no key ''; accepted: schema"},
       {{"list", "effects", "albeda"}, "did you mean 'albedo'?; accepted: albedo"},
       {{"check", "nowhere.yaml"}, "nowhere.yaml: No such file"},
-      {{"passes", "space.yaml"}, "observer.station"},
+      {{"forecast", "space.yaml", "--times"}, "observer.station"},
       {{RENDER, MOMENT, "--band", "vos", "-o", "a.exr"}, "did you mean 'vis'?; accepted: vis"},
       {{RENDER, "--time", "noon", "--band", "vis", "-o", "a.exr"}, "'noon'"},
       {{RENDER, MOMENT, "--band", "vis", "-o", "box.yaml"}, "box.yaml: exists"},
@@ -457,6 +459,9 @@ static void test_old_names(void **state)
       {{"sensors", "ufo"}, {"list", "sensors", "ufo"}, "umbra sensors is now umbra list sensors;"},
       {{"effects", "albedo"}, {"list", "effects", "albedo"}, "umbra effects is now umbra list "},
       {{"schema", "time"}, {"list", "keys", "time"}, "umbra schema is now umbra list keys;"},
+      {{"passes", "box.yaml", "--json"},
+       {"forecast", "box.yaml", "--times", "--json"},
+       "umbra passes is now umbra forecast --times;"},
       {{"help", "effects"}, {"help", "list"}, NULL},
       {{"effects", "--help"}, {"list", "--help"}, "umbra effects is now umbra list effects;"},
   };
