@@ -13,6 +13,8 @@ struct um_context;
 /* Defaults of options. UM_APP_VERSION, as "1.2.3", is the project's, defined by the build. */
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
 #define UM_APP_RENDER_SAMPLES    16  /* per pixel */
+#define UM_APP_FRAME_WIDTH       256 /* pixels of the picture that is put on a detector */
+#define UM_APP_FRAME_SAMPLES     8
 #define UM_APP_MAP_STEP          2   /* [deg] */
 #define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
 #define UM_APP_MAP_PLANES        4
@@ -108,6 +110,7 @@ enum um_app_offers {
   UM_APP_FOLDERS,
   UM_APP_SCENARIOS,
   UM_APP_STUDIES,
+  UM_APP_VIEWS,  /* a scenario, or a factored picture */
   UM_APP_TABLES, /* *.csv */
   UM_APP_EFFECTS,
   UM_APP_MATERIALS,
@@ -225,8 +228,8 @@ um_app_command um_app_run, um_app_list, um_app_scenarios, um_app_material, um_ap
     um_app_cases, um_app_exchange, um_app_check, um_app_forecast, um_app_filters, um_app_retrieve,
     um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
     um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
-    um_app_render, um_app_frame, um_app_expand, um_app_attitude, um_app_map, um_app_compare,
-    um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity, um_app_synth,
-    um_app_validate, um_app_schema, um_app_completion, um_app_help_command;
+    um_app_render, um_app_render_picture, um_app_frame, um_app_expand, um_app_attitude, um_app_map,
+    um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity,
+    um_app_synth, um_app_validate, um_app_schema, um_app_completion, um_app_help_command;
 
 #endif

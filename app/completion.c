@@ -11,6 +11,7 @@ static const char *offer(enum um_app_offers offers)
   case UM_APP_NOTHING:
     return ":";
   case UM_APP_FILES:
+  case UM_APP_VIEWS:
     return "_umbra_files ''";
   case UM_APP_FOLDERS:
     return "_umbra_files /";

@@ -9,11 +9,12 @@
 #define VERB_COLUMN 21 /* .. beside verbs */
 #define PROGRAM     "umbra"
 
-/* A text in lines of WIDTH that begin at `indent`; the first is `at` characters long already. */
+/* A text in lines of WIDTH that begin at `indent`; the first is `at` characters long already. Line
+ * ends of the text stay. */
 static void put_wrapped(FILE *file, const char *text, int indent, int at)
 {
   while (*text != '\0') {
-    int n = (int)strcspn(text, " ");
+    int n = (int)strcspn(text, " \n");
     if (at > indent && at + 1 + n > WIDTH) {
       fputc('\n', file);
       at = 0;
@@ -24,6 +25,10 @@ static void put_wrapped(FILE *file, const char *text, int indent, int at)
       at += fprintf(file, " ");
     at += fprintf(file, "%.*s", n, text);
     text += n + (int)strspn(text + n, " ");
+    if (*text != '\n') continue;
+    fputc('\n', file);
+    at = 0;
+    text++;
   }
   fputc('\n', file);
 }
@@ -107,6 +112,8 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
 {
   static const char *const meaning[] = {
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
+      [UM_APP_VIEWS] = "a folder with scenario.yaml, such a file, or a picture in .nc that umbra "
+                       "render wrote",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
@@ -148,7 +155,7 @@ static void help_examples(FILE *file, const struct um_app_verb *verb, bool page)
 
 static void page_of(FILE *file, const struct um_app_verb *verb, bool page)
 {
-  char text[640];
+  char text[1024];
   um_app_usage(file, verb);
   snprintf(text, sizeof text, "%c%s.%s%s", verb->summary[0] - 'a' + 'A', verb->summary + 1,
            verb->about != NULL ? " " : "", verb->about != NULL ? verb->about : "");

@@ -14,6 +14,8 @@ static const struct um_app_old_name table[] = {
     {"sensors", "list", "sensors", NULL},
     {"effects", "list", "effects", NULL},
     {"schema", "list", "keys", NULL},
+    {"frame", "render", NULL, NULL},
+    {"expand", "render", NULL, NULL},
     {"passes", "forecast", "--times", NULL},
 };
 

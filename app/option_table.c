@@ -36,11 +36,11 @@ static const struct um_app_option table[] = {
     {"band", "band", "B", .takes = UM_APP_TEXT, AT(band), .example = "--band lwir",
      .help = "The band, as the scenario or the measurements call it."},
     {"width", "width", "N", .takes = UM_APP_NUMBER, AT(width), .most = 8192,
-     .default_value = TEXT(UM_APP_RENDER_WIDTH), .example = "--width 2048",
-     .help = "Pixels of a line, up to 8192."},
+     .default_value = TEXT(UM_APP_RENDER_WIDTH) "; of a frame " TEXT(UM_APP_FRAME_WIDTH),
+     .example = "--width 2048", .help = "Pixels of a line, up to 8192."},
     {"samples", "samples", "N", .takes = UM_APP_NUMBER, AT(samples), .most = 65536,
-     .default_value = TEXT(UM_APP_RENDER_SAMPLES), .example = "--samples 256",
-     .help = "Rays of a pixel, up to 65536."},
+     .default_value = TEXT(UM_APP_RENDER_SAMPLES) "; of a frame " TEXT(UM_APP_FRAME_SAMPLES),
+     .example = "--samples 256", .help = "Rays of a pixel, up to 65536."},
     {"wavelengths", "wavelengths", "FROM-TO", .takes = UM_APP_TEXT, AT(wavelengths),
      .default_value = "all of them", .example = "--wavelengths 8-8.1um",
      .help = "Write the bins alone whose centres lie there [um]."},
@@ -268,12 +268,21 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {
-      {"SCENARIO", UM_APP_SCENARIOS}, {"STUDY", UM_APP_STUDIES},    {"MEASURED", UM_APP_TABLES},
-      {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES}, {"FRAME...", UM_APP_FILES},
-      {"STARS", UM_APP_TABLES},       {"EFFECT", UM_APP_EFFECTS},   {"MATERIAL", UM_APP_MATERIALS},
-      {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},    {"SHELL", UM_APP_SHELLS},
-      {"COMMAND", UM_APP_VERBS},      {"WHAT", UM_APP_THINGS},      {"ITEM", UM_APP_ONE}};
+  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS},
+               {"STUDY", UM_APP_STUDIES},
+               {"MEASURED", UM_APP_TABLES},
+               {"TRACK.txt", UM_APP_FILES},
+               {"SCENARIO|PICTURE.nc", UM_APP_VIEWS},
+               {"FRAME...", UM_APP_FILES},
+               {"STARS", UM_APP_TABLES},
+               {"EFFECT", UM_APP_EFFECTS},
+               {"MATERIAL", UM_APP_MATERIALS},
+               {"SENSOR", UM_APP_SENSORS},
+               {"PATH", UM_APP_SECTIONS},
+               {"SHELL", UM_APP_SHELLS},
+               {"COMMAND", UM_APP_VERBS},
+               {"WHAT", UM_APP_THINGS},
+               {"ITEM", UM_APP_ONE}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

@@ -183,23 +183,37 @@ int um_app_options_refuse(const struct um_app_options *options, const char *list
   return UM_APP_DONE;
 }
 
-/* Options without which the verb cannot work: all that are missing. */
-static int check_needed(const struct um_app_verb *verb, const struct um_app_options *o)
+/* All options of a list that are missing, as "--time UTC, -o FILE"; false: none is. */
+static bool lacks(const struct um_app_options *o, const char *list, char out[200])
 {
-  const char *list = verb->needs;
-  char missing[200] = "";
   const struct um_app_option *option;
+  out[0] = '\0';
   while ((option = um_app_option_next(&list)) != NULL) {
-    size_t n = strlen(missing);
+    size_t n = strlen(out);
     const char *comma = n > 0 ? ", " : "";
     if (um_app_option_given(option, o)) continue;
     if (option->letter != '\0')
-      snprintf(missing + n, sizeof missing - n, "%s-%c %s", comma, option->letter,
-               option->argument);
+      snprintf(out + n, 200 - n, "%s-%c %s", comma, option->letter, option->argument);
     else
-      snprintf(missing + n, sizeof missing - n, "%s--%s %s", comma, option->name, option->argument);
+      snprintf(out + n, 200 - n, "%s--%s %s", comma, option->name, option->argument);
   }
-  return missing[0] != '\0' ? um_app_misuse(verb, "%s is missing", missing) : UM_APP_DONE;
+  return out[0] != '\0';
+}
+
+int um_app_options_require(const struct um_app_options *options, const char *list)
+{
+  char missing[200];
+  if (!lacks(options, list, missing)) return UM_APP_DONE;
+  fprintf(stderr, "umbra: %s is missing\n", missing);
+  return UM_APP_MISUSE;
+}
+
+/* Options without which the verb cannot work. */
+static int check_needed(const struct um_app_verb *verb, const struct um_app_options *o)
+{
+  char missing[200];
+  return lacks(o, verb->needs, missing) ? um_app_misuse(verb, "%s is missing", missing)
+                                        : UM_APP_DONE;
 }
 
 static int arguments_most(const struct um_app_verb *verb)

@@ -51,34 +51,32 @@ static const struct um_app_verb verbs[] = {
                  "--uncertain internal_power:bus=20\n"
                  "mpirun -n 4 umbra forecast scenarios/envisat-graz-2016 --days 30\n",
      .run = um_app_forecast, .group = UM_APP_OBSERVE},
-    {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR or factored",
-     .needs = "time band file", .accepts = CHANGES " width samples wavelengths tile force",
+    {"render", "SCENARIO|PICTURE.nc", "a picture of one instant: OpenEXR, factored, or FITS",
+     .needs = "file",
+     .accepts = "time band sensor " CHANGES
+                " width samples wavelengths tile psf motion frame-star border frame-seed no-plots "
+                "force",
      .about =
-         "The channels are spectral radiance, and a preview in red, green and blue. A name in "
-         ".nc keeps the picture factored, what pixels see apart from the spectra of it: 5000 x "
-         "5000 pixels at 2000 wavelengths in some hundred megabytes. What it will cost is said "
-         "first.",
+         "The names say what is made.\n"
+         "FILE.exr, with --time and --band: spectral radiance of every wavelength, and a preview "
+         "in "
+         "red, green and blue.\n"
+         "FILE.nc, with the same: factored, what pixels see apart from the spectra of it. 5000 x "
+         "5000 pixels at 2000 wavelengths take some megabytes.\n"
+         "FILE.fits, with --time and --sensor: what a detector records, with the counts of umbra "
+         "run, spread by optics and air, smeared by motion, with sky, noise and saturation.\n"
+         "FILE.exr of a PICTURE.nc: that picture, or wavelengths or a tile of it.\n"
+         "What a picture in .exr or .nc will cost is said first.",
      .examples =
          "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir -o "
          "envisat.exr\n"
          "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir --width "
-         "5000 --set bands.lwir.bins=2000 -o envisat.nc\n",
+         "5000 --set bands.lwir.bins=2000 -o envisat.nc\n"
+         "umbra render envisat.nc --wavelengths 8-8.1um -o short.exr\n"
+         "umbra render envisat.nc --tile 2000,1500,512,512 -o array.exr\n"
+         "umbra render scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo --seed 1 "
+         "-o ufo.fits\n",
      .run = um_app_render, .group = UM_APP_OBSERVE},
-    {"expand", "PICTURE.nc", "wavelengths or a tile of a factored picture, as OpenEXR",
-     .needs = "file", .accepts = "wavelengths tile force",
-     .about = "PICTURE.nc is what umbra render wrote to a name in .nc.",
-     .examples = "umbra expand envisat.nc --wavelengths 8-8.1um -o short.exr\n"
-                 "umbra expand envisat.nc --tile 2000,1500,512,512 -o array.exr\n",
-     .run = um_app_expand, .group = UM_APP_OBSERVE},
-    {"frame", "SCENARIO", "what a sensor's detector records at an instant, as FITS",
-     .needs = "time sensor file",
-     .accepts = CHANGES " psf motion frame-star border frame-seed width samples no-plots force",
-     .about =
-         "The picture of the sensor's band, with the counts of umbra run, spread by optics and "
-         "air, smeared by motion, in pixels, with sky, noise and saturation.",
-     .examples = "umbra frame scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo "
-                 "--seed 1 -o ufo.fits\n",
-     .run = um_app_frame, .group = UM_APP_OBSERVE},
     {"photometry", "FRAME...", "counts of an object, or of stars, on FITS frames",
      .needs = "aperture file", .accepts = "at sky star force",
      .about = "What a circle holds above the sky of a ring about it, with the error of the CCD "

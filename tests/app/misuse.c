@@ -43,7 +43,26 @@ static const struct misuse {
     {{"forecast", "a", "--times", "--workers", "2"},
      "--workers does not go with --times",
      "usage: umbra forecast"},
-    {{"render", "a"}, "--time UTC, --band B, -o FILE is missing", "usage: umbra render SCENARIO"},
+    {{"render", "a"}, "-o FILE is missing", "usage: umbra render SCENARIO|PICTURE.nc"},
+    {{"render", "a", "-o", "x.exr"}, "--time UTC, --band B is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x", "--time", "now"}, "--band B is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x.FITS"}, "--time UTC, --sensor S is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x", "--sensor", "s"}, "--time UTC is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x.exr", "--psf", "airy"},
+     "--psf goes with a frame of a sensor (-o FILE.fits), not with a picture of a scenario",
+     "usage: umbra render"},
+    {{"render", "a", "-o", "x.nc", "--sensor", "s"},
+     "--sensor goes with a frame of a sensor (-o FILE.fits), not with a picture of a scenario",
+     "usage: umbra render"},
+    {{"render", "a", "-o", "x.fits", "--band", "vis"},
+     "--band goes with a picture of a scenario (-o FILE.exr, FILE.nc), not with a frame",
+     "usage: umbra render"},
+    {{"render", "p.nc", "-o", "x.exr", "--without", "albedo"},
+     "(-o FILE.fits), not with a part of a factored picture (PICTURE.nc -o FILE.exr)",
+     "usage: umbra render"},
+    {{"render", "p.nc", "-o", "x.fits", "--no-plots"},
+     "--no-plots goes with a frame of a sensor (-o FILE.fits), not with a part",
+     "usage: umbra render"},
     {{"render", "a", "--time", "now", "--band", "vis"},
      "-o FILE is missing",
      "usage: umbra render"},
@@ -169,9 +188,10 @@ static void test_help_of_defaults(void **state)
   (void)state;
   static const struct {
     const char *verb, *holds[3];
-  } defaults[] = {{"render", {"Pixels of a line, up to 8192. Default: 512.", "Required."}},
-                  {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
-                  {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
+  } defaults[] = {
+      {"render", {"Pixels of a line, up to 8192. Default: 512; of a", "Required."}},
+      {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
+      {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
   for (size_t i = 0; i < sizeof defaults / sizeof defaults[0]; i++) {
     struct command c = command_run("help", defaults[i].verb, NULL);
     for (size_t k = 0; k < 3 && defaults[i].holds[k] != NULL; k++)

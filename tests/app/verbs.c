@@ -462,6 +462,8 @@ static void test_old_names(void **state)
       {{"passes", "box.yaml", "--json"},
        {"forecast", "box.yaml", "--times", "--json"},
        "umbra passes is now umbra forecast --times;"},
+      {{"frame", "--help"}, {"render", "--help"}, "umbra frame is now umbra render;"},
+      {{"expand", "--help"}, {"render", "--help"}, "umbra expand is now umbra render;"},
       {{"help", "effects"}, {"help", "list"}, NULL},
       {{"effects", "--help"}, {"list", "--help"}, "umbra effects is now umbra list effects;"},
   };
