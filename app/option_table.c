@@ -169,8 +169,8 @@ static const struct um_app_option table[] = {
     {"times", "times", .takes = UM_APP_FLAG, AT(times),
      .help =
          "The times alone, at once: rise, culmination, set, edges of the shadow, and whether the "
-         "station has day or night. Nothing is written. Without --days and --from of half a day "
-         "to both sides of the scenario."},
+         "station has day or night. Nothing is written. Where no days are said, those of half "
+         "a day to both sides of the scenario."},
     {"workers", "workers", "N", .takes = UM_APP_NUMBER, AT(workers), .most = 4096,
      .default_value = "one for each processor; under mpirun or srun, one", .example = "--workers 4",
      .help = "Processes on this machine that compute."},
