@@ -12,8 +12,8 @@ static const struct um_schema_field band_fields[] = {
       HELP("CSV with wavelength_um or wavelength_nm, and transmission; in place of edges")),
     F(bins, UM_SCHEMA_INTEGER, DEFAULT(40), BETWEEN(1, 2000), HELP("of equal width")),
     F(vega_magnitude, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-2, 2),
-      HELP("that the photometric system gives Vega; 0.03 in Johnson's V. Where it is stated a "
-           "forecast's magnitudes are relative to Vega")),
+      HELP("that the photometric system gives Vega; 0.03 in Johnson's V. Where it is stated "
+           "magnitudes that run and forecast tell are relative to Vega")),
 };
 #undef OF
 SHARED_OBJECT(um_model_band_schema, struct um_scenario_band, "band", "A spectral band.",
