@@ -204,10 +204,9 @@ enum um_app_offers um_app_argument_offers(const char *name);
 
 /* "umbra run SCENARIO [--out DIR] ..." on one line, without a line end. */
 void um_app_usage(FILE *file, const struct um_app_verb *verb);
-/* The commands; one command with its options; everything, as the man page wants it. */
+/* The commands; one command with its options. */
 void um_app_help(FILE *file);
 void um_app_help_verb(FILE *file, const struct um_app_verb *verb);
-void um_app_help_all(FILE *file);
 /* "unknown command 'nur'" with the nearest one. */
 #define UM_APP_UNKNOWN 192
 void um_app_verb_unknown(const char *name, char out[UM_APP_UNKNOWN]);

@@ -1,7 +1,9 @@
-/* umbra help: usage lines and pages of the commands, from the tables of options and verbs. */
+/* umbra help: usage lines and pages of the commands, from the tables of options and verbs. "umbra
+ * help man" and "umbra help man-VERB" print man pages, for tools/write-manual. */
 #include <string.h>
 
 #include "app/app.h"
+#include "app/help.h"
 
 #define WIDTH       80 /* of a line */
 #define COLUMN      26 /* where texts beside options begin */
@@ -61,6 +63,15 @@ void um_app_usage(FILE *file, const struct um_app_verb *verb)
   }
 }
 
+void um_app_option_text(const struct um_app_option *option, bool needed, char out[UM_APP_HELP_TEXT])
+{
+  size_t used =
+      (size_t)snprintf(out, UM_APP_HELP_TEXT, "%s%s%s", needed ? "Required. " : "", option->help,
+                       option->takes == UM_APP_LIST ? " May be given again." : "");
+  if (option->default_value != NULL)
+    snprintf(out + used, UM_APP_HELP_TEXT - used, " Default: %s.", option->default_value);
+}
+
 /* "  -o, --out DIR        text", the text on a line of its own where the head is long. */
 static void help_option(FILE *file, const struct um_app_option *o, bool needed)
 {
@@ -73,11 +84,8 @@ static void help_option(FILE *file, const struct um_app_option *o, bool needed)
     fputc('\n', file);
     at = 0;
   }
-  char text[640];
-  size_t used = (size_t)snprintf(text, sizeof text, "%s%s%s", needed ? "Required. " : "", o->help,
-                                 o->takes == UM_APP_LIST ? " May be given again." : "");
-  if (o->default_value != NULL)
-    snprintf(text + used, sizeof text - used, " Default: %s.", o->default_value);
+  char text[UM_APP_HELP_TEXT];
+  um_app_option_text(o, needed, text);
   put_wrapped(file, text, COLUMN, at);
   if (o->example != NULL) fprintf(file, "%*sExample: %s\n", COLUMN, "", o->example);
 }
@@ -88,27 +96,17 @@ static void help_options(FILE *file, const char *list, bool needed)
   while ((o = um_app_option_next(&list)) != NULL) help_option(file, o, needed);
 }
 
-/* "Options:", on the page of all commands "Options of umbra run:". */
-static void heading(FILE *file, const char *what, const struct um_app_verb *verb, bool page)
-{
-  if (page)
-    fprintf(file, "\n%s of " PROGRAM " %s:\n", what, verb->name);
-  else
-    fprintf(file, "\n%s:\n", what);
-}
-
 /* "materials: surfaces that parts are made of" and so on, a line each. */
-static void help_things(FILE *file, int at)
+static void things_text(char out[UM_APP_HELP_TEXT])
 {
   const struct um_app_thing *thing;
-  for (size_t i = 0; (thing = um_app_thing_at(i)) != NULL; i++, at = 0) {
-    char text[160];
-    snprintf(text, sizeof text, "%s: %s", thing->word, thing->holds);
-    put_wrapped(file, text, COLUMN, at);
-  }
+  size_t used = 0;
+  for (size_t i = 0; (thing = um_app_thing_at(i)) != NULL && used < UM_APP_HELP_TEXT; i++)
+    used += (size_t)snprintf(out + used, UM_APP_HELP_TEXT - used, "%s%s: %s", i > 0 ? "\n" : "",
+                             thing->word, thing->holds);
 }
 
-static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page)
+void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
 {
   static const char *const meaning[] = {
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
@@ -125,76 +123,59 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
       [UM_APP_THINGS] = NULL, /* what the table has */
       [UM_APP_ONE] = "name of one, or the path of a key; without it all are listed",
       [UM_APP_VERBS] = "a command; without it all are listed"};
+  enum um_app_offers offers = um_app_argument_offers(name);
+  if (offers == UM_APP_THINGS)
+    things_text(out);
+  else
+    snprintf(out, UM_APP_HELP_TEXT, "%s", meaning[offers]);
+}
+
+static void help_arguments(FILE *file, const struct um_app_verb *verb)
+{
   const char *list = verb->arguments;
-  char name[32];
+  char name[32], text[UM_APP_HELP_TEXT];
   bool optional;
-  if (list[0] != '\0') heading(file, "Arguments", verb, page);
+  if (list[0] != '\0') fputs("\nArguments:\n", file);
   while (um_app_argument_next(&list, name, &optional)) {
-    int at = fprintf(file, "  %s  ", name);
-    enum um_app_offers offers = um_app_argument_offers(name);
-    if (offers == UM_APP_THINGS)
-      help_things(file, at);
-    else
-      put_wrapped(file, meaning[offers], COLUMN, at);
+    um_app_argument_text(name, text);
+    put_wrapped(file, text, COLUMN, fprintf(file, "  %s  ", name));
   }
 }
 
-static void help_examples(FILE *file, const struct um_app_verb *verb, bool page)
+static void help_examples(FILE *file, const struct um_app_verb *verb)
 {
-  heading(file, "Examples", verb, page);
+  fputs("\nExamples:\n", file);
   for (const char *line = verb->examples; *line != '\0';) {
     int n = (int)strcspn(line, "\n");
     fprintf(file, "  %.*s\n", n, line);
     line += n + (line[n] == '\n' ? 1 : 0);
-    if (page && *line != '\0') fputc('\n', file); /* else help2man joins them */
   }
 }
 
 #define EXIT_LINE(name, number, text) "  " #number "  " text "\n"
-#define EXIT_STATUS                   UM_APP_EXITS(EXIT_LINE) "  130, 143  ended by SIGINT (Ctrl-C), SIGTERM\n"
+#define EXIT_STATUS                                                                                \
+  UM_APP_EXITS(EXIT_LINE) "  " UM_APP_HELP_SIGNALS_NUMBERS "  " UM_APP_HELP_SIGNALS "\n"
 
-static void page_of(FILE *file, const struct um_app_verb *verb, bool page)
+void um_app_verb_text(const struct um_app_verb *verb, char out[UM_APP_HELP_TEXT])
 {
-  char text[1024];
-  um_app_usage(file, verb);
-  snprintf(text, sizeof text, "%c%s.%s%s", verb->summary[0] - 'a' + 'A', verb->summary + 1,
+  snprintf(out, UM_APP_HELP_TEXT, "%c%s.%s%s", verb->summary[0] - 'a' + 'A', verb->summary + 1,
            verb->about != NULL ? " " : "", verb->about != NULL ? verb->about : "");
-  fputs("\n\n", file);
-  put_wrapped(file, text, 0, 0);
-  help_arguments(file, verb, page);
-  if (!page || verb->needs != NULL || verb->accepts != NULL) heading(file, "Options", verb, page);
-  help_options(file, verb->needs, true);
-  help_options(file, verb->accepts, false);
-  if (!page) help_options(file, "threads help", false);
-  help_examples(file, verb, page);
 }
 
 void um_app_help_verb(FILE *file, const struct um_app_verb *verb)
 {
-  page_of(file, verb, false);
-  fputs("\nExit status:\n" EXIT_STATUS, file);
-}
-
-void um_app_help_all(FILE *file)
-{
-  fputs("Usage: " PROGRAM " COMMAND [ARGUMENT]... [OPTION]...\n\n", file);
-  put_wrapped(file,
-              "Umbra computes what a telescope sees of a satellite, in the visible and at 8-12 um, "
-              "from one "
-              "physical state; it holds that against measurements and says which physical effect "
-              "the model lacks, or that the measurements cannot tell.",
-              0, 0);
-  fputs("\n*Options of every command*\n\n", file);
+  char text[UM_APP_HELP_TEXT];
+  um_app_usage(file, verb);
+  fputs("\n\n", file);
+  um_app_verb_text(verb, text);
+  put_wrapped(file, text, 0, 0);
+  help_arguments(file, verb);
+  fputs("\nOptions:\n", file);
+  help_options(file, verb->needs, true);
+  help_options(file, verb->accepts, false);
   help_options(file, "threads help", false);
-  for (size_t i = 0; i < um_app_verb_count(); i++) {
-    fprintf(file, "\n*" PROGRAM " %s*\n\n", um_app_verb_at(i)->name);
-    page_of(file, um_app_verb_at(i), true);
-  }
-  fputs("\n*Exit status*\n\n" EXIT_STATUS "\nEnvironment:\n\n"
-        "  UMBRA_DATA  folder that holds materials/ and scenarios/, in place of those that were "
-        "installed\n\n"
-        "  OMP_NUM_THREADS  worker threads where --threads does not say\n",
-        file);
+  help_examples(file, verb);
+  fputs("\nExit status:\n" EXIT_STATUS, file);
 }
 
 static void title(FILE *file)
@@ -214,6 +195,14 @@ static const struct {
     {"umbra diagnose SCENARIO MEASURED", "which effect is missing"},
 };
 
+bool um_app_path_at(size_t index, const char **command, const char **does)
+{
+  if (index >= sizeof path / sizeof path[0]) return false;
+  *command = path[index].command;
+  *does = path[index].does;
+  return true;
+}
+
 static void help_path(FILE *file)
 {
   fputs("The usual way:\n", file);
@@ -221,18 +210,22 @@ static void help_path(FILE *file)
     put_wrapped(file, path[i].does, PATH_COLUMN, fprintf(file, "  %s  ", path[i].command));
 }
 
-static const char *const group_name[UM_APP_GROUPS] = {[UM_APP_SIMULATE] = "Simulate",
-                                                      [UM_APP_OBSERVE] = "Observe",
-                                                      [UM_APP_COMPARE] = "Compare",
-                                                      [UM_APP_EXPLORE] = "Explore",
-                                                      [UM_APP_LOOK_UP] = "Look up"};
+const char *um_app_group_name(enum um_app_group group)
+{
+  static const char *const name[UM_APP_GROUPS] = {[UM_APP_SIMULATE] = "Simulate",
+                                                  [UM_APP_OBSERVE] = "Observe",
+                                                  [UM_APP_COMPARE] = "Compare",
+                                                  [UM_APP_EXPLORE] = "Explore",
+                                                  [UM_APP_LOOK_UP] = "Look up"};
+  return name[group];
+}
 
 void um_app_help(FILE *file)
 {
   title(file);
   help_path(file);
   for (int group = 0; group < UM_APP_GROUPS; group++) {
-    fprintf(file, "\n%s:\n", group_name[group]);
+    fprintf(file, "\n%s:\n", um_app_group_name((enum um_app_group)group));
     for (size_t i = 0; i < um_app_verb_count(); i++) {
       const struct um_app_verb *verb = um_app_verb_at(i);
       if (verb->group != (enum um_app_group)group) continue;
@@ -258,8 +251,10 @@ int um_app_help_command(struct um_context *context, const struct um_app_options 
     um_app_help_verb(stdout, verb);
   } else if (name[0] == '\0') {
     um_app_help(stdout);
-  } else if (strcmp(name, "all") == 0) {
-    um_app_help_all(stdout);
+  } else if (strcmp(name, "man") == 0) {
+    um_app_manual(stdout);
+  } else if (strncmp(name, "man-", 4) == 0 && um_app_verb_find(name + 4) != NULL) {
+    um_app_manual_verb(stdout, um_app_verb_find(name + 4));
   } else {
     um_app_verb_unknown(name, unknown);
     fprintf(stderr, "umbra: %s\n", unknown);
