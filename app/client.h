@@ -174,15 +174,16 @@ const struct um_app_verb *um_app_verb_at(size_t index);
 const struct um_app_verb *um_app_verb_find(const char *name);
 /* A verb as it was called before: umbra NAME ... is umbra VERB FIRST ... now. */
 struct um_app_old_name {
-  const char *name, *verb;
-  const char *first; /* argument that the verb takes first; NULL: none */
-  const char *where; /* only with an option that begins so; NULL: always */
+  const char *name;
+  char verb[16];
+  char first[16];    /* argument that the verb takes first; "": none */
+  const char *where; /* only with an argument that begins so; NULL: always */
 };
-/* The old name that a command line begins with; NULL: none. argv: [argc] as main has it. */
-const struct um_app_old_name *um_app_old_name_find(int argc, char **argv);
+/* The old name `name` before arguments [n]; NULL: it is none. */
+struct um_app_old_name *um_app_old_name_find(const char *name, int n, char *const *arguments);
 /* The command line with the verb of now, [*argc] with NULL behind; a line on stderr says the new
  * name. The caller frees; NULL: no memory. Texts stay those of argv. */
-char **um_app_old_name_translate(const struct um_app_old_name *old, int *argc, char **argv);
+char **um_app_old_name_translate(struct um_app_old_name *old, int *argc, char **argv);
 
 /* What umbra list lists. */
 struct um_app_thing {

@@ -114,7 +114,7 @@ void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
                        "render wrote",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
-      [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
+      [UM_APP_FILES] = "a file: a track as the survey gives it, frames in FITS",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
@@ -242,8 +242,7 @@ void um_app_help(FILE *file)
 int um_app_help_command(struct um_context *context, const struct um_app_options *options)
 {
   const char *name = options->npositional > 0 ? options->positional[0] : "";
-  const struct um_app_old_name *old =
-      um_app_old_name_find(2, (char *[]){(char *)PROGRAM, (char *)name, NULL});
+  const struct um_app_old_name *old = um_app_old_name_find(name, 0, NULL);
   const struct um_app_verb *verb = um_app_verb_find(old != NULL ? old->verb : name);
   char unknown[UM_APP_UNKNOWN];
   (void)context;

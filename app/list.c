@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "app/app.h"
+#include "base/core/text.h"
 
 static const struct um_app_thing things[] = {
     {"materials", "surfaces that parts are made of", UM_APP_MATERIALS, um_app_materials},
@@ -26,7 +27,9 @@ int um_app_list(struct um_context *context, const struct um_app_options *options
   for (size_t i = 0; i < sizeof things / sizeof things[0]; i++)
     if (strcmp(things[i].word, word) == 0) thing = &things[i];
   if (thing == NULL) {
-    fprintf(stderr, "umbra: nothing is listed under '%.60s'; accepted: ", word);
+    fputs("umbra: nothing is listed under '", stderr);
+    um_core_text_put(stderr, word);
+    fputs("'; accepted: ", stderr);
     for (size_t i = 0; i < sizeof things / sizeof things[0]; i++)
       fprintf(stderr, "%s%s", i > 0 ? ", " : "", things[i].word);
     fputc('\n', stderr);

@@ -83,7 +83,7 @@ static int exit_code(int code)
 static bool rename_verb(int *argc, char ***argv)
 {
   static char **renamed;
-  const struct um_app_old_name *old = um_app_old_name_find(*argc, *argv);
+  struct um_app_old_name *old = um_app_old_name_find((*argv)[1], *argc - 2, *argv + 2);
   if (old == NULL) return true;
   renamed = um_app_old_name_translate(old, argc, *argv);
   if (renamed == NULL) return false;

@@ -52,6 +52,7 @@ mv "$tree/share/umbra/gone" "$tree/share/umbra/materials"
 # A link to it elsewhere on the path works too.
 ln -s "$tree/bin/umbra" linked
 expect mli_kapton ./linked list materials
+expect "They lie in $tree/share/umbra/scenarios; " umbra list scenarios
 
 expect "did you mean '$tree/share/umbra/scenarios/sphere'" sh -c 'umbra check sphere 2>&1 || true'
 expect "results in out/sphere" umbra run "$tree/share/umbra/scenarios/sphere" --no-plots --set time.step_s=60 --out out/sphere

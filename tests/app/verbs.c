@@ -62,6 +62,8 @@ static void test_json(void **state)
       {{"list", "keys", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
       {{"list", "keys", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
+      {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"},
+       "\"magnitude_system\": \"AB\", \"brightest_mag\": "},
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
        "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
