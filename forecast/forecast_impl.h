@@ -4,6 +4,7 @@
 
 #include "forecast/forecast.h"
 #include "model/run/result.h"
+#include "study/identity.h"
 #include "study/parameter.h"
 #include "variant/evaluator.h"
 
@@ -35,6 +36,23 @@ struct um_forecast_work {
   const bool *thermal; /* [nband] shines by its own heat; NULL without unknowns */
   struct um_forecast_unknowns unknowns;
   double checked; /* start of the pass whose bends are found by runs; NaN: none */
+};
+
+/* What a forecast keeps for its runs, behind the part that is public. */
+struct um_forecast_held {
+  struct um_forecast forecast;
+  struct um_forecast_work work;
+  struct um_forecast_ask ask;
+  struct um_model *model;              /* the scenario as it stands */
+  struct um_model_instants instant;    /* one, of `from` */
+  size_t *place;                       /* [nplace] of the body's */
+  double *coordinate;                  /* [npass][UM_FORECAST_COORDINATES] */
+  struct um_forecast_band *band;       /* [npass][nband] */
+  struct um_forecast_place *places;    /* [npass][nplace] */
+  struct um_forecast_band *band_sigma; /* as those; of what is uncertain */
+  struct um_forecast_place *places_sigma;
+  struct um_study_identity *identity;
+  bool holds_files;
 };
 
 /* Numbers in a pass: its delay, bands, places, times of the curves, curves. */
