@@ -188,10 +188,9 @@ static void test_help_of_defaults(void **state)
   (void)state;
   static const struct {
     const char *verb, *holds[3];
-  } defaults[] = {
-      {"render", {"Pixels of a line, up to 8192. Default: 512; of a", "Required."}},
-      {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
-      {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
+  } defaults[] = {{"render", {"Pixels of a line, up to 8192. Default: 512; of a", "Required."}},
+                  {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
+                  {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
   for (size_t i = 0; i < sizeof defaults / sizeof defaults[0]; i++) {
     struct command c = command_run("help", defaults[i].verb, NULL);
     for (size_t k = 0; k < 3 && defaults[i].holds[k] != NULL; k++)
