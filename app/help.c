@@ -110,8 +110,7 @@ void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
 {
   static const char *const meaning[] = {
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
-      [UM_APP_VIEWS] = "a folder with scenario.yaml, such a file, or a picture in .nc that umbra "
-                       "render wrote",
+      [UM_APP_VIEWS] = "a folder with scenario.yaml, such a file, or a picture in .nc",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_FILES] = "a file: a track as the survey gives it, frames in FITS",
