@@ -1,7 +1,7 @@
 # make demo   install what is missing, build, compute ENVISAT's pass of 2016-09-21 in both bands
 # make test   build and run the tests
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
-# make install [PREFIX=/usr/local] [DESTDIR=...]   program, library, materials, scenarios, headers, man page, documents
+# make install [PREFIX=/usr/local] [DESTDIR=...]   program, library, materials, scenarios, headers, man pages, documents
 # make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
 # make demo-study   what rules ENVISAT's light: emittance of its cells, heat inside, MLI; 1000 points
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
@@ -27,7 +27,7 @@ configure: deps
 	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release $(CMAKE_FLAGS) >$(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
 	@rm -f $(BUILD).log
 
-# the program, its man page and completions; `build` has the tests too
+# the program, its man pages and completions; `build` has the tests too
 program: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target program
 

@@ -14,6 +14,13 @@ void um_app_options_release(struct um_app_options *options);
  * printed. */
 int um_app_options_parse(struct um_context *context, const struct um_app_verb *verb, int argc,
                          char **argv, struct um_app_options *options);
+/* Was an option given? Of --threads not known: false. */
+bool um_app_option_given(const struct um_app_option *option, const struct um_app_options *options);
+/* Refuse options that do not go with what is asked: ids of a list, parted by blanks. why: "does not
+ * go with --times". UM_APP_DONE: none was given; UM_APP_MISUSE: the first that was is named. */
+int um_app_options_refuse(const struct um_app_options *options, const char *list, const char *why);
+/* Insist on options of a list. UM_APP_DONE; UM_APP_MISUSE: all that are missing are named. */
+int um_app_options_require(const struct um_app_options *options, const char *list);
 /* Say what is wrong, with the usage of the verb, or NULL; returns UM_APP_MISUSE. format: a literal
  * with one %s for what. */
 int um_app_misuse(const struct um_app_verb *verb, const char *format, const char *what);

@@ -13,6 +13,8 @@ struct um_context;
 /* Defaults of options. UM_APP_VERSION, as "1.2.3", is the project's, defined by the build. */
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
 #define UM_APP_RENDER_SAMPLES    16  /* per pixel */
+#define UM_APP_FRAME_WIDTH       256 /* pixels of the picture that is put on a detector */
+#define UM_APP_FRAME_SAMPLES     8
 #define UM_APP_MAP_STEP          2   /* [deg] */
 #define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
 #define UM_APP_MAP_PLANES        4
@@ -80,6 +82,7 @@ struct um_app_options {
   const char *measured;           /* of study: --measured FILE */
   bool view;                      /* of check: --view */
   int port;                       /* of serve: --port; 0: any that is free */
+  bool times;                     /* of forecast: --times */
   bool force, json, thermal, optics, no_plots, allow_effects;
   bool grey_body; /* of synth: --grey-body */
   /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */
@@ -110,12 +113,17 @@ enum um_app_offers {
   UM_APP_RESULTS, /* folders of results */
   UM_APP_SCENARIOS,
   UM_APP_STUDIES,
+  UM_APP_VIEWS,  /* a scenario, or a factored picture */
   UM_APP_TABLES, /* *.csv */
   UM_APP_EFFECTS,
   UM_APP_MATERIALS,
   UM_APP_SENSORS,
   UM_APP_SECTIONS, /* of the scenario reference */
   UM_APP_SHELLS,
+  UM_APP_FILTERS,
+  UM_APP_SHIPPED, /* scenarios that come with the program */
+  UM_APP_THINGS,  /* what umbra list lists */
+  UM_APP_ONE,     /* the name of one of these */
   UM_APP_VERBS
 };
 
@@ -143,6 +151,16 @@ const struct um_app_option *um_app_option_next(const char **list);
  */
 typedef int um_app_command(struct um_context *context, const struct um_app_options *options);
 
+/* What a user does with a verb: the help lists verbs by it, in this order. */
+enum um_app_group {
+  UM_APP_SIMULATE,
+  UM_APP_OBSERVE,
+  UM_APP_COMPARE,
+  UM_APP_EXPLORE,
+  UM_APP_LOOK_UP,
+  UM_APP_GROUPS /* how many there are */
+};
+
 struct um_app_verb {
   const char *name;
   const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
@@ -151,21 +169,48 @@ struct um_app_verb {
   const char *about;           /* what help adds; NULL: nothing */
   const char *examples;        /* a line each */
   um_app_command *run;
+  enum um_app_group group;
 };
 size_t um_app_verb_count(void);
 const struct um_app_verb *um_app_verb_at(size_t index);
 /* NULL when there is none. */
 const struct um_app_verb *um_app_verb_find(const char *name);
+/* A verb as it was called before: umbra NAME ... is umbra VERB FIRST ... now. */
+struct um_app_old_name {
+  const char *name;
+  char verb[16];
+  char first[16];    /* argument that the verb takes first; "": none */
+  const char *where; /* only with an argument that begins so; NULL: always */
+};
+/* The old name `name` before arguments [n]; NULL: it is none. */
+struct um_app_old_name *um_app_old_name_find(const char *name, int n, char *const *arguments);
+/* The command line with the verb of now, [*argc] with NULL behind; a line on stderr says the new
+ * name. The caller frees; NULL: no memory. Texts stay those of argv. */
+char **um_app_old_name_translate(struct um_app_old_name *old, int *argc, char **argv);
+
+/* What umbra list lists. */
+struct um_app_thing {
+  const char *word; /* "materials" */
+  const char *holds;
+  enum um_app_offers offers; /* names of it, for a shell */
+  um_app_command *run;       /* positional[0]: the name of one, or none */
+};
+/* In order of the table; NULL behind the last. */
+const struct um_app_thing *um_app_thing_at(size_t index);
+/* Names of filters or scenarios that come with the program, parted by blanks, for a shell. Does not
+ * fail: none where their folder is not there. */
+void um_app_filters_put(struct um_context *context, FILE *file);
+void um_app_scenarios_put(struct um_context *context, FILE *file);
+
 /* A word of an argument list as "SCENARIO" without brackets, false at its end; *list moves. */
 bool um_app_argument_next(const char **list, char name[32], bool *optional);
 enum um_app_offers um_app_argument_offers(const char *name);
 
 /* "umbra run SCENARIO [--out DIR] ..." on one line, without a line end. */
 void um_app_usage(FILE *file, const struct um_app_verb *verb);
-/* The commands; one command with its options; everything, as the man page wants it. */
+/* The commands; one command with its options. */
 void um_app_help(FILE *file);
 void um_app_help_verb(FILE *file, const struct um_app_verb *verb);
-void um_app_help_all(FILE *file);
 /* "unknown command 'nur'" with the nearest one. */
 #define UM_APP_UNKNOWN 192
 void um_app_verb_unknown(const char *name, char out[UM_APP_UNKNOWN]);
@@ -182,12 +227,13 @@ void um_app_effect_page(FILE *file, const struct umbra_effect *effect);
 void um_app_effect_manual(FILE *file, const struct umbra *umbra);
 
 /* The commands. */
-um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_check, um_app_passes,
-    um_app_forecast, um_app_filters, um_app_retrieve, um_app_photometry, um_app_calibrate,
-    um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
-    um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
-    um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
-    um_app_sensitivity, um_app_report, um_app_serve, um_app_synth, um_app_validate, um_app_schema,
-    um_app_completion, um_app_help_command;
+um_app_command um_app_run, um_app_list, um_app_scenarios, um_app_material, um_app_study,
+    um_app_cases, um_app_exchange, um_app_check, um_app_forecast, um_app_filters, um_app_retrieve,
+    um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
+    um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
+    um_app_render, um_app_render_picture, um_app_frame, um_app_expand, um_app_attitude, um_app_map,
+    um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity,
+    um_app_synth, um_app_report, um_app_serve, um_app_validate, um_app_schema, um_app_completion,
+    um_app_help_command;
 
 #endif

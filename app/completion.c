@@ -11,6 +11,7 @@ static const char *offer(enum um_app_offers offers)
   case UM_APP_NOTHING:
     return ":";
   case UM_APP_FILES:
+  case UM_APP_VIEWS:
     return "_umbra_files ''";
   case UM_APP_FOLDERS:
   case UM_APP_RESULTS:
@@ -30,6 +31,14 @@ static const char *offer(enum um_app_offers offers)
     return "_umbra_words \"$sections\"";
   case UM_APP_SHELLS:
     return "_umbra_words \"bash zsh\"";
+  case UM_APP_FILTERS:
+    return "_umbra_words \"$filters\"";
+  case UM_APP_SHIPPED:
+    return "_umbra_words \"$shipped\"";
+  case UM_APP_THINGS:
+    return "_umbra_words \"$things\"";
+  case UM_APP_ONE:
+    return "_umbra_one \"$first\"";
   case UM_APP_VERBS:
     return "_umbra_words \"$verbs\"";
   }
@@ -38,6 +47,7 @@ static const char *offer(enum um_app_offers offers)
 
 /* What the script knows by name beside effects and keys. */
 struct names {
+  struct um_context *context; /* for what the library has no names of */
   const struct umbra *umbra;
   const char *const *material, *const *sensor;
   size_t nmaterial, nsensor;
@@ -58,6 +68,13 @@ static void put_names(FILE *file, const struct names *names)
   fputs("\"\n  local sensors=\"", file);
   for (size_t i = 0; i < names->nsensor; i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", names->sensor[i]);
+  fputs("\"\n  local filters=\"", file);
+  um_app_filters_put(names->context, file);
+  fputs("\"\n  local shipped=\"", file);
+  um_app_scenarios_put(names->context, file);
+  fputs("\"\n  local things=\"", file);
+  for (size_t i = 0; um_app_thing_at(i) != NULL; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_app_thing_at(i)->word);
   fputs("\"\n  local sections=\"", file);
   for (size_t i = 0; umbra_key_at(umbra, i) != NULL; i++)
     fprintf(file, "%s\n", umbra_key_at(umbra, i)->path);
@@ -118,7 +135,7 @@ static const char helpers[] =
 
 static const char body[] =
     "  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
-    "  local verb=\"${COMP_WORDS[1]}\" options=\"\" place=0 i\n"
+    "  local verb=\"${COMP_WORDS[1]}\" options=\"\" first=\"\" place=0 i\n"
     "  local -a kinds=()\n"
     "  COMPREPLY=()\n"
     "  # --option=value comes as three words\n"
@@ -132,7 +149,7 @@ static const char tail[] =
     "  for ((i = 2; i < COMP_CWORD; i++)); do\n"
     "    case \"${COMP_WORDS[i]}\" in\n"
     "      -*) if _umbra_takes_value \"${COMP_WORDS[i]}\"; then i=$((i + 1)); fi ;;\n"
-    "      *) place=$((place + 1)) ;;\n"
+    "      *) [ $place -gt 0 ] || first=\"${COMP_WORDS[i]}\"; place=$((place + 1)) ;;\n"
     "    esac\n"
     "  done\n"
     "  if [ $place -lt ${#kinds[@]} ]; then eval \"${kinds[@]:$place:1}\"; fi\n"
@@ -147,10 +164,21 @@ static void put_takes_value(FILE *file)
   fputs(") return 0 ;;\n  esac\n  return 1\n}\n", file);
 }
 
+/* What is offered for the second argument of umbra list, by the first. */
+static void put_one(FILE *file)
+{
+  const struct um_app_thing *thing;
+  fputs("_umbra_one() {\n  case \"$1\" in\n", file);
+  for (size_t i = 0; (thing = um_app_thing_at(i)) != NULL; i++)
+    fprintf(file, "    %s) %s ;;\n", thing->word, offer(thing->offers));
+  fputs("  esac\n}\n", file);
+}
+
 static void put_script(FILE *file, const struct names *names)
 {
   fputs(helpers, file);
   put_takes_value(file);
+  put_one(file);
   fputs("_umbra() {\n", file);
   put_names(file, names);
   fputs(body, file);
@@ -178,7 +206,6 @@ static void print(const struct names *names, bool zsh)
 
 int um_app_completion(struct um_context *context, const struct um_app_options *options)
 {
-  (void)context;
   const char *shell = options->positional[0];
   bool zsh = strcmp(shell, "zsh") == 0;
   struct names names;
@@ -189,6 +216,7 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
   }
   int code = um_app_session_open(&umbra);
   if (code != UM_APP_DONE) return code;
+  names.context = context;
   names.umbra = umbra;
   if (umbra_data_names(umbra, UMBRA_MATERIALS, &names.material, &names.nmaterial) != UMBRA_OK ||
       umbra_data_names(umbra, UMBRA_SENSORS, &names.sensor, &names.nsensor) != UMBRA_OK)

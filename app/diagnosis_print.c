@@ -108,7 +108,7 @@ static const char *relation(const struct um_diagnosis_alternative *r, double beh
 }
 
 /* The best of those that were fitted and are too far behind to be an alternative, by BIC against
- * the winner. */
+ * the winner; those far behind are left to the files. */
 static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
   size_t shown = 0, more = 0;
@@ -116,7 +116,7 @@ static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_
     const struct um_diagnosis_alternative *alternative = &step->alternative[r];
     double behind = alternative->bic - step->alternative[0].bic;
     if (!alternative->fitted || relation(alternative, behind) != NULL) continue;
-    if (shown == WORSE) {
+    if (shown == WORSE || behind > UM_DIAGNOSIS_FAR_BEHIND) {
       more++;
       continue;
     }
@@ -125,7 +125,9 @@ static void print_worse(const struct um_diagnosis *d, const struct um_diagnosis_
     printf(", BIC %s%+.1f\n", alternative->converged ? "" : "up to ", behind);
     shown++;
   }
-  if (more > 0) printf("  and %zu more that were fitted\n", more);
+  if (more > 0)
+    printf("  %s%zu more that %s fitted and worse: diagnosis.json has %s\n",
+           shown > 0 ? "and " : "", more, more == 1 ? "was" : "were", more == 1 ? "it" : "them");
 }
 
 /* The effect's label, and what comes near the winner. */
@@ -192,10 +194,12 @@ static void print_uses(const struct um_diagnosis *d, const char *title,
 
 /* ---- what is left ---- */
 
+/* What is far behind is left to the files. */
 static void print_superseded(const struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nsuperseded; i++) {
     const struct um_diagnosis_superseded *s = &d->superseded[i];
+    if (s->bic - d->bic_after > UM_DIAGNOSIS_FAR_BEHIND) continue;
     printf("\nreplaced by others, BIC %+.1f%s: ", s->bic - d->bic_after, s->alone ? " alone" : "");
     print_name(s->addition.effect, s->addition.target);
     printf("\n");

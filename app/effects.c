@@ -1,4 +1,4 @@
-/* umbra effects: all effects as a table, or the manual's page of one. */
+/* umbra list effects: all effects as a table, or the manual's page of one. */
 #include "app/client.h"
 #include "base/core/json.h"
 

@@ -1,4 +1,4 @@
-/* umbra expand: a factored picture, or a part of it, as OpenEXR. */
+/* umbra render PICTURE.nc -o FILE.exr: a factored picture, or a part of it, as OpenEXR. */
 #include "app/app.h"
 #include "app/picture.h"
 #include "app/target.h"

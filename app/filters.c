@@ -1,9 +1,10 @@
-/* umbra filters: transmission curves that come with the program, and the Sun's and Vega's
+/* umbra list filters: transmission curves that come with the program, and the Sun's and Vega's
  * magnitudes in them. */
 #include <math.h>
 #include <string.h>
 
 #include "app/app.h"
+#include "base/core/data.h"
 #include "base/core/listing.h"
 #include "environment/environment.h"
 #include "optics/instrument/filter.h"
@@ -55,6 +56,38 @@ static void print_row(const char *name, const struct row *r, bool json, bool las
   printf("}%s\n", last ? "" : ",");
 }
 
+static const char head[] =
+    "                from um    to um pivot um    peak    Sun AB   Vega AB\n";
+static const char foot[] =
+    "Photon counting; the Sun by ASTM E490 at 1 au, Vega by CALSPEC. A magnitude relative to Vega "
+    "is the AB one less Vega's.\n";
+
+static enum um_status print_filter(struct um_context *context,
+                                   const struct um_environment *environment, const char *name,
+                                   bool json, bool last)
+{
+  struct um_instrument_filter *filter;
+  UM_TRY(um_instrument_filter_find(context, name, &filter));
+  struct row r = row_of(environment, filter);
+  print_row(name, &r, json, last);
+  um_instrument_filter_destroy(context, &filter);
+  return UM_OK;
+}
+
+/* Its row, and the file with its curve. */
+static enum um_status print_one(struct um_context *context,
+                                const struct um_environment *environment, const char *name,
+                                bool json)
+{
+  char *path;
+  UM_TRY(um_core_data_find(context, "filter", "filters", ".csv", name, &path));
+  if (!json) fputs(head, stdout);
+  enum um_status status = print_filter(context, environment, name, json, true);
+  if (!json && status == UM_OK) printf("%scurve: %s\n", foot, path);
+  um_core_free(context, path);
+  return status;
+}
+
 int um_app_filters(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -62,25 +95,25 @@ int um_app_filters(struct um_context *context, const struct um_app_options *opti
   size_t count = 0;
   struct um_environment environment;
   um_environment_defaults(&environment);
-  UM_CHECK(um_instrument_filter_names(context, &names, &count));
-  if (options->json)
-    puts("[");
-  else
-    printf("%-14s%9s%9s%9s%8s%10s%10s\n", "", "from um", "to um", "pivot um", "peak", "Sun AB",
-           "Vega AB");
-  for (size_t i = 0; i < count; i++) {
-    struct um_instrument_filter *filter;
-    UM_CHECK(um_instrument_filter_find(context, names[i], &filter));
-    struct row r = row_of(&environment, filter);
-    print_row(names[i], &r, options->json, i + 1 == count);
-    um_instrument_filter_destroy(context, &filter);
+  if (options->npositional == 1) {
+    UM_CHECK(print_one(context, &environment, options->positional[0], options->json));
+    goto done;
   }
-  if (options->json)
-    puts("]");
-  else
-    puts("Photon counting; the Sun by ASTM E490 at 1 au, Vega by CALSPEC. A magnitude relative to "
-         "Vega is the AB one less Vega's.");
+  UM_CHECK(um_instrument_filter_names(context, &names, &count));
+  fputs(options->json ? "[\n" : head, stdout);
+  for (size_t i = 0; i < count; i++)
+    UM_CHECK(print_filter(context, &environment, names[i], options->json, i + 1 == count));
+  fputs(options->json ? "]\n" : foot, stdout);
 done:
   um_core_listing_free(context, names, count);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
+}
+
+void um_app_filters_put(struct um_context *context, FILE *file)
+{
+  char **names = NULL;
+  size_t count = 0;
+  if (um_instrument_filter_names(context, &names, &count) == UM_OK)
+    for (size_t i = 0; i < count; i++) fprintf(file, "%s%s", i > 0 ? " " : "", names[i]);
+  um_core_listing_free(context, names, count);
 }

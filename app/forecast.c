@@ -139,6 +139,18 @@ static enum um_status lead(struct um_context *context, const struct um_app_optio
   return UM_OK;
 }
 
+/* The times alone. */
+static enum um_status tell_times(struct um_context *context, const struct um_app_options *options,
+                                 struct um_forecast_ask *ask)
+{
+  struct um_forecast *forecast;
+  if (options->days == NULL && options->time_utc == NULL) ask->days = NAN; /* the scenario's */
+  UM_TRY(um_forecast_times(context, ask, &forecast));
+  um_app_forecast_times(forecast, options->json);
+  um_forecast_destroy(context, &forecast);
+  return UM_OK;
+}
+
 int um_app_forecast(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -151,10 +163,19 @@ int um_app_forecast(struct um_context *context, const struct um_app_options *opt
   char *out = NULL, *name = NULL, *records = NULL;
   bool whole = false;
   int code = UM_APP_DONE;
+  if (options->times) {
+    code = um_app_options_refuse(options, "out uncertain workers share resume force no-plots",
+                                 "does not go with --times, which computes and writes nothing");
+    if (code != UM_APP_DONE) return code;
+  }
   ask.options = &changes;
   ask.version = UM_APP_VERSION;
   UM_CHECK(um_core_allocate(context, options->nstation, sizeof *station, &station));
   UM_CHECK(parse(context, options, station, &ask));
+  if (options->times) {
+    UM_CHECK(tell_times(context, options, &ask));
+    goto done;
+  }
   UM_CHECK(um_app_batch_options(context, options, &task));
   UM_CHECK(um_forecast_create(context, &ask, &task, &forecast));
   UM_CHECK(um_core_asprintf(context, &name, "%s-forecast", forecast->name));

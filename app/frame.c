@@ -1,4 +1,4 @@
-/* umbra frame: what a sensor's detector records at an instant, as FITS. */
+/* umbra render -o FILE.fits: what a sensor's detector records at an instant, as FITS. */
 #include "model/products/frame.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* The options of umbra frame. */
+/* The options of a frame. */
 #include "app/frame_options.h"
 
 #include <stdlib.h>
@@ -7,9 +7,7 @@
 #include "base/core/constants.h"
 #include "base/core/number.h"
 
-#define FRAME_WIDTH   256 /* pixels of the picture that is put on the detector */
-#define FRAME_SAMPLES 8
-#define SPREADS       "gaussian, moffat:BETA, airy, seeing:R0_M or a file in .csv"
+#define SPREADS "gaussian, moffat:BETA, airy, seeing:R0_M or a file in .csv"
 
 /* "name:number" */
 static bool parameter(const char *text, const char *name, double *out)
@@ -81,10 +79,10 @@ enum um_status um_app_frame_options(struct um_context *context,
                                     const struct um_app_options *options,
                                     struct um_model_frame_options *out, uint64_t *seed)
 {
-  *out = (struct um_model_frame_options){.width = options->width > 0 ? options->width : FRAME_WIDTH,
-                                         .samples = options->samples > 0 ? options->samples
-                                                                         : FRAME_SAMPLES,
-                                         .border = options->border > 0 ? options->border : 1};
+  *out = (struct um_model_frame_options){
+      .width = options->width > 0 ? options->width : UM_APP_FRAME_WIDTH,
+      .samples = options->samples > 0 ? options->samples : UM_APP_FRAME_SAMPLES,
+      .border = options->border > 0 ? options->border : 1};
   UM_TRY(parse_spread(context, options->psf, out));
   UM_TRY(parse_motion(context, options->motion, out));
   return parse_seed(context, options->seed, seed);

@@ -1,17 +1,22 @@
-/* umbra help: usage lines and pages of the commands, from the tables of options and verbs. */
+/* umbra help: usage lines and pages of the commands, from the tables of options and verbs. "umbra
+ * help man" and "umbra help man-VERB" print man pages, for tools/write-manual. */
 #include <string.h>
 
 #include "app/app.h"
+#include "app/help.h"
 
-#define WIDTH   80 /* of a line */
-#define COLUMN  26 /* where texts beside options begin */
-#define PROGRAM "umbra"
+#define WIDTH       80 /* of a line */
+#define COLUMN      26 /* where texts beside options begin */
+#define PATH_COLUMN 38 /* .. beside commands of the usual way */
+#define VERB_COLUMN 21 /* .. beside verbs */
+#define PROGRAM     "umbra"
 
-/* A text in lines of WIDTH that begin at `indent`; the first is `at` characters long already. */
+/* A text in lines of WIDTH that begin at `indent`; the first is `at` characters long already. Line
+ * ends of the text stay. */
 static void put_wrapped(FILE *file, const char *text, int indent, int at)
 {
   while (*text != '\0') {
-    int n = (int)strcspn(text, " ");
+    int n = (int)strcspn(text, " \n");
     if (at > indent && at + 1 + n > WIDTH) {
       fputc('\n', file);
       at = 0;
@@ -22,6 +27,10 @@ static void put_wrapped(FILE *file, const char *text, int indent, int at)
       at += fprintf(file, " ");
     at += fprintf(file, "%.*s", n, text);
     text += n + (int)strspn(text + n, " ");
+    if (*text != '\n') continue;
+    fputc('\n', file);
+    at = 0;
+    text++;
   }
   fputc('\n', file);
 }
@@ -54,6 +63,15 @@ void um_app_usage(FILE *file, const struct um_app_verb *verb)
   }
 }
 
+void um_app_option_text(const struct um_app_option *option, bool needed, char out[UM_APP_HELP_TEXT])
+{
+  size_t used =
+      (size_t)snprintf(out, UM_APP_HELP_TEXT, "%s%s%s", needed ? "Required. " : "", option->help,
+                       option->takes == UM_APP_LIST ? " May be given again." : "");
+  if (option->default_value != NULL)
+    snprintf(out + used, UM_APP_HELP_TEXT - used, " Default: %s.", option->default_value);
+}
+
 /* "  -o, --out DIR        text", the text on a line of its own where the head is long. */
 static void help_option(FILE *file, const struct um_app_option *o, bool needed)
 {
@@ -66,11 +84,8 @@ static void help_option(FILE *file, const struct um_app_option *o, bool needed)
     fputc('\n', file);
     at = 0;
   }
-  char text[640];
-  size_t used = (size_t)snprintf(text, sizeof text, "%s%s%s", needed ? "Required. " : "", o->help,
-                                 o->takes == UM_APP_LIST ? " May be given again." : "");
-  if (o->default_value != NULL)
-    snprintf(text + used, sizeof text - used, " Default: %s.", o->default_value);
+  char text[UM_APP_HELP_TEXT];
+  um_app_option_text(o, needed, text);
   put_wrapped(file, text, COLUMN, at);
   if (o->example != NULL) fprintf(file, "%*sExample: %s\n", COLUMN, "", o->example);
 }
@@ -81,95 +96,87 @@ static void help_options(FILE *file, const char *list, bool needed)
   while ((o = um_app_option_next(&list)) != NULL) help_option(file, o, needed);
 }
 
-/* "Options:", on the page of all commands "Options of umbra run:". */
-static void heading(FILE *file, const char *what, const struct um_app_verb *verb, bool page)
+/* "materials: surfaces that parts are made of" and so on, a line each. */
+static void things_text(char out[UM_APP_HELP_TEXT])
 {
-  if (page)
-    fprintf(file, "\n%s of " PROGRAM " %s:\n", what, verb->name);
-  else
-    fprintf(file, "\n%s:\n", what);
+  const struct um_app_thing *thing;
+  size_t used = 0;
+  for (size_t i = 0; (thing = um_app_thing_at(i)) != NULL && used < UM_APP_HELP_TEXT; i++)
+    used += (size_t)snprintf(out + used, UM_APP_HELP_TEXT - used, "%s%s: %s", i > 0 ? "\n" : "",
+                             thing->word, thing->holds);
 }
 
-static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page)
+void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
 {
   static const char *const meaning[] = {
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
+      [UM_APP_VIEWS] = "a folder with scenario.yaml, such a file, or a picture in .nc",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_RESULTS] = "a folder of results with report.html, or such a file; up to 8",
       [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
+      [UM_APP_FILES] = "a file: a track as the survey gives it, frames in FITS",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
       [UM_APP_SECTIONS] = "path of a key or section; without it all of the reference",
       [UM_APP_SHELLS] = "bash or zsh",
+      [UM_APP_THINGS] = NULL, /* what the table has */
+      [UM_APP_ONE] = "name of one, or the path of a key; without it all are listed",
       [UM_APP_VERBS] = "a command; without it all are listed"};
+  enum um_app_offers offers = um_app_argument_offers(name);
+  if (offers == UM_APP_THINGS)
+    things_text(out);
+  else
+    snprintf(out, UM_APP_HELP_TEXT, "%s", meaning[offers]);
+}
+
+static void help_arguments(FILE *file, const struct um_app_verb *verb)
+{
   const char *list = verb->arguments;
-  char name[32];
+  char name[32], text[UM_APP_HELP_TEXT];
   bool optional;
-  if (list[0] != '\0') heading(file, "Arguments", verb, page);
+  if (list[0] != '\0') fputs("\nArguments:\n", file);
   while (um_app_argument_next(&list, name, &optional)) {
-    int at = fprintf(file, "  %s  ", name);
-    put_wrapped(file, meaning[um_app_argument_offers(name)], COLUMN, at);
+    um_app_argument_text(name, text);
+    put_wrapped(file, text, COLUMN, fprintf(file, "  %s  ", name));
   }
 }
 
-static void help_examples(FILE *file, const struct um_app_verb *verb, bool page)
+static void help_examples(FILE *file, const struct um_app_verb *verb)
 {
-  heading(file, "Examples", verb, page);
+  fputs("\nExamples:\n", file);
   for (const char *line = verb->examples; *line != '\0';) {
     int n = (int)strcspn(line, "\n");
     fprintf(file, "  %.*s\n", n, line);
     line += n + (line[n] == '\n' ? 1 : 0);
-    if (page && *line != '\0') fputc('\n', file); /* else help2man joins them */
   }
 }
 
 #define EXIT_LINE(name, number, text) "  " #number "  " text "\n"
-#define EXIT_STATUS                   UM_APP_EXITS(EXIT_LINE) "  130, 143  ended by SIGINT (Ctrl-C), SIGTERM\n"
+#define EXIT_STATUS                                                                                \
+  UM_APP_EXITS(EXIT_LINE) "  " UM_APP_HELP_SIGNALS_NUMBERS "  " UM_APP_HELP_SIGNALS "\n"
 
-static void page_of(FILE *file, const struct um_app_verb *verb, bool page)
+void um_app_verb_text(const struct um_app_verb *verb, char out[UM_APP_HELP_TEXT])
 {
-  char text[640];
-  um_app_usage(file, verb);
-  snprintf(text, sizeof text, "%c%s.%s%s", verb->summary[0] - 'a' + 'A', verb->summary + 1,
+  snprintf(out, UM_APP_HELP_TEXT, "%c%s.%s%s", verb->summary[0] - 'a' + 'A', verb->summary + 1,
            verb->about != NULL ? " " : "", verb->about != NULL ? verb->about : "");
-  fputs("\n\n", file);
-  put_wrapped(file, text, 0, 0);
-  help_arguments(file, verb, page);
-  if (!page || verb->needs != NULL || verb->accepts != NULL) heading(file, "Options", verb, page);
-  help_options(file, verb->needs, true);
-  help_options(file, verb->accepts, false);
-  if (!page) help_options(file, "threads help", false);
-  help_examples(file, verb, page);
 }
 
 void um_app_help_verb(FILE *file, const struct um_app_verb *verb)
 {
-  page_of(file, verb, false);
-  fputs("\nExit status:\n" EXIT_STATUS, file);
-}
-
-void um_app_help_all(FILE *file)
-{
-  fputs("Usage: " PROGRAM " COMMAND [ARGUMENT]... [OPTION]...\n\n", file);
-  put_wrapped(file,
-              "Umbra computes what a telescope sees of a satellite, in the visible and at 8-12 um, "
-              "from one "
-              "physical state; it holds that against measurements and says which physical effect "
-              "the model lacks, or that the measurements cannot tell.",
-              0, 0);
-  fputs("\n*Options of every command*\n\n", file);
+  char text[UM_APP_HELP_TEXT];
+  um_app_usage(file, verb);
+  fputs("\n\n", file);
+  um_app_verb_text(verb, text);
+  put_wrapped(file, text, 0, 0);
+  help_arguments(file, verb);
+  fputs("\nOptions:\n", file);
+  help_options(file, verb->needs, true);
+  help_options(file, verb->accepts, false);
   help_options(file, "threads help", false);
-  for (size_t i = 0; i < um_app_verb_count(); i++) {
-    fprintf(file, "\n*" PROGRAM " %s*\n\n", um_app_verb_at(i)->name);
-    page_of(file, um_app_verb_at(i), true);
-  }
-  fputs("\n*Exit status*\n\n" EXIT_STATUS "\nEnvironment:\n\n"
-        "  UMBRA_DATA  folder that holds materials/ and scenarios/, in place of those that were "
-        "installed\n\n"
-        "  OMP_NUM_THREADS  worker threads where --threads does not say\n",
-        file);
+  help_examples(file, verb);
+  fputs("\nExit status:\n" EXIT_STATUS, file);
 }
 
 static void title(FILE *file)
@@ -179,33 +186,75 @@ static void title(FILE *file)
         file);
 }
 
+/* From nothing to a result that is held against measurements: what a newcomer types. */
+static const struct {
+  const char *command, *does;
+} path[] = {
+    {"umbra check SCENARIO", "see what was understood"},
+    {"umbra run SCENARIO", "light curves, temperatures, pictures"},
+    {"umbra compare SCENARIO MEASURED", "how far measurements are off"},
+    {"umbra diagnose SCENARIO MEASURED", "which effect is missing"},
+};
+
+bool um_app_path_at(size_t index, const char **command, const char **does)
+{
+  if (index >= sizeof path / sizeof path[0]) return false;
+  *command = path[index].command;
+  *does = path[index].does;
+  return true;
+}
+
+static void help_path(FILE *file)
+{
+  fputs("The usual way:\n", file);
+  for (size_t i = 0; i < sizeof path / sizeof path[0]; i++)
+    put_wrapped(file, path[i].does, PATH_COLUMN, fprintf(file, "  %s  ", path[i].command));
+}
+
+const char *um_app_group_name(enum um_app_group group)
+{
+  static const char *const name[UM_APP_GROUPS] = {[UM_APP_SIMULATE] = "Simulate",
+                                                  [UM_APP_OBSERVE] = "Observe",
+                                                  [UM_APP_COMPARE] = "Compare",
+                                                  [UM_APP_EXPLORE] = "Explore",
+                                                  [UM_APP_LOOK_UP] = "Look up"};
+  return name[group];
+}
+
 void um_app_help(FILE *file)
 {
   title(file);
-  for (size_t i = 0; i < um_app_verb_count(); i++) {
-    const struct um_app_verb *verb = um_app_verb_at(i);
-    int at = fprintf(file, "  " PROGRAM " %s%s%s  ", verb->name,
-                     verb->arguments[0] != '\0' ? " " : "", verb->arguments);
-    put_wrapped(file, verb->summary, 2 + 6 + 28, at);
+  help_path(file);
+  for (int group = 0; group < UM_APP_GROUPS; group++) {
+    fprintf(file, "\n%s:\n", um_app_group_name((enum um_app_group)group));
+    for (size_t i = 0; i < um_app_verb_count(); i++) {
+      const struct um_app_verb *verb = um_app_verb_at(i);
+      if (verb->group != (enum um_app_group)group) continue;
+      int at = fprintf(file, "  " PROGRAM " %s  ", verb->name);
+      put_wrapped(file, verb->summary, VERB_COLUMN, at);
+    }
   }
-  fputs("\n  umbra COMMAND --help   its options, their defaults, examples\n"
-        "  umbra --version\n"
-        "\nScenarios come with the program; umbra check NAME says where one lies.\n",
+  fputs("\n  umbra COMMAND --help   its arguments, options, examples\n"
+        "  umbra list scenarios   scenarios that come with the program\n"
+        "  umbra --version\n",
         file);
 }
 
 int um_app_help_command(struct um_context *context, const struct um_app_options *options)
 {
   const char *name = options->npositional > 0 ? options->positional[0] : "";
-  const struct um_app_verb *verb = um_app_verb_find(name);
+  const struct um_app_old_name *old = um_app_old_name_find(name, 0, NULL);
+  const struct um_app_verb *verb = um_app_verb_find(old != NULL ? old->verb : name);
   char unknown[UM_APP_UNKNOWN];
   (void)context;
   if (verb != NULL) {
     um_app_help_verb(stdout, verb);
   } else if (name[0] == '\0') {
     um_app_help(stdout);
-  } else if (strcmp(name, "all") == 0) {
-    um_app_help_all(stdout);
+  } else if (strcmp(name, "man") == 0) {
+    um_app_manual(stdout);
+  } else if (strncmp(name, "man-", 4) == 0 && um_app_verb_find(name + 4) != NULL) {
+    um_app_manual_verb(stdout, um_app_verb_find(name + 4));
   } else {
     um_app_verb_unknown(name, unknown);
     fprintf(stderr, "umbra: %s\n", unknown);

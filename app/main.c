@@ -79,6 +79,18 @@ static int exit_code(int code)
   return code == UM_APP_FAILED && signal_number != 0 ? UM_APP_SIGNAL + signal_number : code;
 }
 
+/* The command line under the verb's name of now; a new one is freed at exit. */
+static bool rename_verb(int *argc, char ***argv)
+{
+  static char **renamed;
+  struct um_app_old_name *old = um_app_old_name_find((*argv)[1], *argc - 2, *argv + 2);
+  if (old == NULL) return true;
+  renamed = um_app_old_name_translate(old, argc, *argv);
+  if (renamed == NULL) return false;
+  *argv = renamed;
+  return true;
+}
+
 int main(int argc, char **argv)
 {
   um_app_terminal_open_standard();
@@ -93,6 +105,10 @@ int main(int argc, char **argv)
   if (strcmp(argv[1], "--version") == 0) {
     printf("umbra %s\n", umbra_version());
     return flush(UM_APP_DONE);
+  }
+  if (!rename_verb(&argc, &argv)) {
+    fputs("umbra: out of memory\n", stderr);
+    return UM_APP_FAILED;
   }
   const struct um_app_verb *verb = um_app_verb_find(argv[1]);
   if (verb == NULL) {

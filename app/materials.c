@@ -1,4 +1,4 @@
-/* umbra materials: what the records give when integrated, beside what catalogues say. */
+/* umbra list materials: what the records give when integrated, beside what catalogues say. */
 #include <math.h>
 #include <string.h>
 
@@ -125,9 +125,6 @@ int um_app_materials(struct um_context *context, const struct um_app_options *op
 {
   enum um_status status;
   struct um_materials_library *library = NULL;
-  if (options->from_reflectance != NULL) return um_app_materials_reflectance(context, options);
-  if (options->from_profile != NULL) return um_app_materials_profile(context, options);
-  if (options->from_brdf != NULL) return um_app_materials_fit(context, options);
   UM_CHECK(um_environment_library_create(context, true, &library));
   if (options->npositional == 1) {
     const char *name = options->positional[0];

@@ -1,4 +1,4 @@
-/* umbra materials --from-brdf: measured BRDFs as a Lambert term and a lobe, one fit a kind;
+/* umbra material --from-brdf: measured BRDFs as a Lambert term and a lobe, one fit a kind;
  * --from-profile: measured heights as a roughness. */
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* umbra materials --from-reflectance: a record from what a spectrometer measured against a
+/* umbra material --from-reflectance: a record from what a spectrometer measured against a
  * reference mirror, and, beside --from-profile, from heights: the laboratory of the Flying Laptop
  * paper. */
 #include <math.h>

@@ -17,10 +17,10 @@ static const struct um_app_option table[] = {
      .example = "-o measured.csv", .help = "The file to write."},
     {"set", "set", "KEY=VALUE", LIST(set), .example = "--set parts.bus.interior.power_W=50",
      .help = "Change a key of the scenario; names stand where lists have names. A list takes "
-             "LIST.+=VALUE at its end. See umbra schema."},
+             "LIST.+=VALUE at its end. See umbra list keys."},
     {"with", "with", "EFFECT[:TARGET][,NAME=VALUE]...", LIST(with), .offers = UM_APP_EFFECTS,
      .example = "--with internal_power:bus,power_W=20",
-     .help = "Switch an effect on, or change its parameters. See umbra effects."},
+     .help = "Switch an effect on, or change its parameters. See umbra list effects."},
     {"without", "without", "EFFECT[:TARGET]", LIST(without), .offers = UM_APP_EFFECTS,
      .example = "--without albedo", .help = "Switch an effect off."},
     {"effect-file", "effect-file", "FILE", LIST(effect_file), .offers = UM_APP_FILES,
@@ -36,11 +36,11 @@ static const struct um_app_option table[] = {
     {"band", "band", "B", .takes = UM_APP_TEXT, AT(band), .example = "--band lwir",
      .help = "The band, as the scenario or the measurements call it."},
     {"width", "width", "N", .takes = UM_APP_NUMBER, AT(width), .most = 8192,
-     .default_value = TEXT(UM_APP_RENDER_WIDTH), .example = "--width 2048",
-     .help = "Pixels of a line, up to 8192."},
+     .default_value = TEXT(UM_APP_RENDER_WIDTH) "; of a frame " TEXT(UM_APP_FRAME_WIDTH),
+     .example = "--width 2048", .help = "Pixels of a line, up to 8192."},
     {"samples", "samples", "N", .takes = UM_APP_NUMBER, AT(samples), .most = 65536,
-     .default_value = TEXT(UM_APP_RENDER_SAMPLES), .example = "--samples 256",
-     .help = "Rays of a pixel, up to 65536."},
+     .default_value = TEXT(UM_APP_RENDER_SAMPLES) "; of a frame " TEXT(UM_APP_FRAME_SAMPLES),
+     .example = "--samples 256", .help = "Rays of a pixel, up to 65536."},
     {"wavelengths", "wavelengths", "FROM-TO", .takes = UM_APP_TEXT, AT(wavelengths),
      .default_value = "all of them", .example = "--wavelengths 8-8.1um",
      .help = "Write the bins alone whose centres lie there [um]."},
@@ -166,6 +166,11 @@ static const struct um_app_option table[] = {
              "predicted gets error bars, to first order. EFFECT[:TARGET]=SIGMA where the effect "
              "has one parameter; KEY=SIGMA of a number that the scenario states. Each costs about "
              "a pass, two where its heat has to be solved."},
+    {"times", "times", .takes = UM_APP_FLAG, AT(times),
+     .help =
+         "The times alone, at once: rise, culmination, set, edges of the shadow, and whether the "
+         "station has day or night. Nothing is written. Where no days are said, those of half "
+         "a day to both sides of the scenario."},
     {"workers", "workers", "N", .takes = UM_APP_NUMBER, AT(workers), .most = 4096,
      .default_value = "one for each processor; under mpirun or srun, one", .example = "--workers 4",
      .help = "Processes on this machine that compute."},
@@ -270,12 +275,22 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {
-      {"SCENARIO", UM_APP_SCENARIOS}, {"STUDY", UM_APP_STUDIES},    {"MEASURED", UM_APP_TABLES},
-      {"TRACK.txt", UM_APP_FILES},    {"PICTURE.nc", UM_APP_FILES}, {"FRAME...", UM_APP_FILES},
-      {"RESULTS...", UM_APP_RESULTS}, {"STARS", UM_APP_TABLES},     {"EFFECT", UM_APP_EFFECTS},
-      {"MATERIAL", UM_APP_MATERIALS}, {"SENSOR", UM_APP_SENSORS},   {"PATH", UM_APP_SECTIONS},
-      {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS}};
+  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS},
+               {"STUDY", UM_APP_STUDIES},
+               {"MEASURED", UM_APP_TABLES},
+               {"TRACK.txt", UM_APP_FILES},
+               {"SCENARIO|PICTURE.nc", UM_APP_VIEWS},
+               {"FRAME...", UM_APP_FILES},
+               {"RESULTS...", UM_APP_RESULTS},
+               {"STARS", UM_APP_TABLES},
+               {"EFFECT", UM_APP_EFFECTS},
+               {"MATERIAL", UM_APP_MATERIALS},
+               {"SENSOR", UM_APP_SENSORS},
+               {"PATH", UM_APP_SECTIONS},
+               {"SHELL", UM_APP_SHELLS},
+               {"COMMAND", UM_APP_VERBS},
+               {"WHAT", UM_APP_THINGS},
+               {"ITEM", UM_APP_ONE}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

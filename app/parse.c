@@ -150,31 +150,70 @@ static int check_arguments(const struct um_app_verb *verb, const struct um_app_o
   return UM_APP_DONE;
 }
 
-/* Was an option given that takes a text or a list? */
-static bool is_given(const struct um_app_option *option, const struct um_app_options *o)
+bool um_app_option_given(const struct um_app_option *option, const struct um_app_options *options)
 {
-  const char *at = (const char *)o + (option->takes == UM_APP_LIST ? option->count : option->at);
-  if (option->takes == UM_APP_LIST) return *(const size_t *)(const void *)at > 0;
-  return *(const char *const *)(const void *)at != NULL;
+  const char *base = (const char *)options;
+  const void *at = base + option->at, *count = base + option->count;
+  switch (option->takes) {
+  case UM_APP_FLAG:
+    return *(const bool *)at;
+  case UM_APP_TEXT:
+    return *(const char *const *)at != NULL;
+  case UM_APP_LIST:
+    return *(const size_t *)count > 0;
+  case UM_APP_NUMBER:
+    return *(const int *)at != 0;
+  case UM_APP_SHARE:
+    return *(const double *)at > 0.0;
+  case UM_APP_THREADS:
+  case UM_APP_HELP:
+    break;
+  }
+  return false;
 }
 
-/* Options without which the verb cannot work: all that are missing. */
+int um_app_options_refuse(const struct um_app_options *options, const char *list, const char *why)
+{
+  const struct um_app_option *o;
+  while ((o = um_app_option_next(&list)) != NULL) {
+    if (!um_app_option_given(o, options)) continue;
+    fprintf(stderr, "umbra: --%s %s\n", o->name, why);
+    return UM_APP_MISUSE;
+  }
+  return UM_APP_DONE;
+}
+
+/* All options of a list that are missing, as "--time UTC, -o FILE"; false: none is. */
+static bool lacks(const struct um_app_options *o, const char *list, char out[200])
+{
+  const struct um_app_option *option;
+  out[0] = '\0';
+  while ((option = um_app_option_next(&list)) != NULL) {
+    size_t n = strlen(out);
+    const char *comma = n > 0 ? ", " : "";
+    if (um_app_option_given(option, o)) continue;
+    if (option->letter != '\0')
+      snprintf(out + n, 200 - n, "%s-%c %s", comma, option->letter, option->argument);
+    else
+      snprintf(out + n, 200 - n, "%s--%s %s", comma, option->name, option->argument);
+  }
+  return out[0] != '\0';
+}
+
+int um_app_options_require(const struct um_app_options *options, const char *list)
+{
+  char missing[200];
+  if (!lacks(options, list, missing)) return UM_APP_DONE;
+  fprintf(stderr, "umbra: %s is missing\n", missing);
+  return UM_APP_MISUSE;
+}
+
+/* Options without which the verb cannot work. */
 static int check_needed(const struct um_app_verb *verb, const struct um_app_options *o)
 {
-  const char *list = verb->needs;
-  char missing[200] = "";
-  const struct um_app_option *option;
-  while ((option = um_app_option_next(&list)) != NULL) {
-    size_t n = strlen(missing);
-    const char *comma = n > 0 ? ", " : "";
-    if (is_given(option, o)) continue;
-    if (option->letter != '\0')
-      snprintf(missing + n, sizeof missing - n, "%s-%c %s", comma, option->letter,
-               option->argument);
-    else
-      snprintf(missing + n, sizeof missing - n, "%s--%s %s", comma, option->name, option->argument);
-  }
-  return missing[0] != '\0' ? um_app_misuse(verb, "%s is missing", missing) : UM_APP_DONE;
+  char missing[200];
+  return lacks(o, verb->needs, missing) ? um_app_misuse(verb, "%s is missing", missing)
+                                        : UM_APP_DONE;
 }
 
 static int arguments_most(const struct um_app_verb *verb)

@@ -211,7 +211,7 @@ enum um_status um_app_picture_cost(struct um_context *context, const struct um_a
   if (cube && (options->wavelengths != NULL || options->tile != NULL))
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s: a factored picture is written whole; accepted: --wavelengths and "
-                        "--tile with umbra expand",
+                        "--tile with umbra render FILE.nc -o FILE.exr",
                         options->out);
   size_t nbin = 0;
   for (int b = 0; b < band->bins; b++) {

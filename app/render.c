@@ -1,5 +1,5 @@
-/* umbra render: one picture of one instant, every wavelength of a band, as OpenEXR or factored as
- * netCDF. */
+/* umbra render -o FILE.exr, FILE.nc: one picture of one instant, every wavelength of a band, as
+ * OpenEXR or factored as netCDF. */
 #include "app/app.h"
 #include "app/picture.h"
 #include "app/target.h"
@@ -96,7 +96,7 @@ done:
   return status;
 }
 
-int um_app_render(struct um_context *context, const struct um_app_options *options)
+int um_app_render_picture(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_model *model = NULL;

@@ -1,4 +1,4 @@
-/* umbra schema: the reference of scenario.yaml, from the table that checks it; whole, or of one
+/* umbra list keys: the reference of scenario.yaml, from the table that checks it; whole, or of one
  * key.
  */
 #include "app/app.h"

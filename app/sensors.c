@@ -1,4 +1,4 @@
-/* umbra sensors: telescopes with detectors that come with the program. */
+/* umbra list sensors: telescopes with detectors that come with the program. */
 #include <string.h>
 
 #include "app/app.h"
@@ -55,7 +55,8 @@ int um_app_sensors(struct um_context *context, const struct um_app_options *opti
   char **names = NULL;
   size_t count = 0;
   if (options->npositional == 1) {
-    status = print_one(context, options->positional[0]);
+    status = options->json ? print_row(context, options->positional[0], true, true)
+                           : print_one(context, options->positional[0]);
     return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
   }
   UM_CHECK(um_model_sensor_presets(context, &names, &count));

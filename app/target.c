@@ -21,7 +21,13 @@ static bool is_among(const char *ending, const char *list)
   return false;
 }
 
-bool um_app_is_cube(const char *path) { return is_among(um_app_ending(path), ".nc"); }
+bool um_app_ends_in(const char *path, const char *endings)
+{
+  const char *ending = um_app_ending(path);
+  return ending[0] != '\0' && is_among(ending, endings);
+}
+
+bool um_app_is_cube(const char *path) { return um_app_ends_in(path, ".nc"); }
 
 enum um_status um_app_check_target(struct um_context *context, const char *out, bool force)
 {
@@ -34,7 +40,7 @@ enum um_status um_app_check_table(struct um_context *context, const struct um_ap
 {
   const char *out = options->out, *ending = um_app_ending(out);
   UM_TRY(um_app_check_target(context, out, options->force));
-  if (!is_among(ending, UM_APP_PICTURES ", " UM_APP_FRAMES ", .png")) return UM_OK;
+  if (!um_app_ends_in(out, UM_APP_PICTURES ", " UM_APP_FRAMES ", .png")) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT, "%s: a table is CSV, not %s; accepted: a name in .csv",
                       out, ending);
 }
@@ -51,7 +57,7 @@ enum um_status um_app_check_picture(struct um_context *context,
     if (!options->force)
       return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
   }
-  if (ending[0] != '\0' && !is_among(ending, endings))
+  if (ending[0] != '\0' && !um_app_ends_in(out, endings))
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s: no '%s' is written here; accepted: a name in %s", out, ending,
                         endings);

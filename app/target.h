@@ -20,6 +20,8 @@ enum um_status um_app_check_table(struct um_context *context, const struct um_ap
  * are refused, too, and an ending that is not among `endings`. UM_ERR_IO, UM_ERR_INPUT. */
 enum um_status um_app_check_picture(struct um_context *context,
                                     const struct um_app_options *options, const char *endings);
+/* Has the path one of these endings? endings: ".exr, .nc"; capitals do not matter. */
+bool um_app_ends_in(const char *path, const char *endings);
 /* A name in .nc asks for a factored picture. */
 bool um_app_is_cube(const char *path);
 

@@ -14,88 +14,72 @@ static const struct um_app_verb verbs[] = {
               "netCDF and pictures.",
      .examples = "umbra run scenarios/envisat-graz-2016\n"
                  "umbra run scenarios/envisat-graz-2016 --without albedo --out out/dark-earth\n",
-     .run = um_app_run},
-    {"cases", "SCENARIO", "hot, cold and other cases held against limits of temperature",
-     .accepts = "out " CHANGES " " RESULTS,
-     .about = "The scenario's cases, each with its changes: extremes of an orbit, balance under an "
-              "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
-              "picture. Exit status 4 where a limit is exceeded.",
-     .examples = "umbra cases scenarios/cube\n", .run = um_app_cases},
-    {"exchange", "SCENARIO", "view factors and radiative couplings of its surfaces, as tables",
-     .accepts = "out " CHANGES " force json",
-     .about = "outside.csv and inside-PART.csv, which thermal.view_factors takes in again, and "
-              "couplings.csv, total exchange areas for other programs. The environment variable "
-              "UMBRA_CACHE names a folder where view factors are kept between runs.",
-     .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
-     .run = um_app_exchange},
+     .run = um_app_run, .group = UM_APP_SIMULATE},
     {"check", "SCENARIO", "read a scenario and report what was understood",
      .accepts = CHANGES " view out force json",
      .about =
          "Parts, areas, watertightness, materials and nodes; nothing is solved. --view writes a "
          "page that shows the satellite.",
      .examples = "umbra check scenarios/cube\numbra check scenarios/envisat-graz-2016 --view\n",
-     .run = um_app_check},
-    {"passes", "SCENARIO", "when the satellite rises over the station, and what is sunlit",
-     .accepts = "set effect-file allow-effects json",
-     .about =
-         "Rise, culmination, set and the edges of the shadow within half a day of the scenario.",
-     .examples = "umbra passes scenarios/envisat-graz-2016\n", .run = um_app_passes},
+     .run = um_app_check, .group = UM_APP_SIMULATE},
+    {"cases", "SCENARIO", "hot, cold and other cases, against limits of temperature",
+     .accepts = "out " CHANGES " " RESULTS,
+     .about = "The scenario's cases, each with its changes: extremes of an orbit, balance under an "
+              "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
+              "picture. Exit status 4 where a limit is exceeded.",
+     .examples = "umbra cases scenarios/cube\n", .run = um_app_cases, .group = UM_APP_SIMULATE},
+    {"exchange", "SCENARIO", "view factors and radiative couplings, as tables",
+     .accepts = "out " CHANGES " force json",
+     .about = "outside.csv and inside-PART.csv, which thermal.view_factors takes in again, and "
+              "couplings.csv, total exchange areas for other programs. The environment variable "
+              "UMBRA_CACHE names a folder where view factors are kept between runs.",
+     .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
+     .run = um_app_exchange, .group = UM_APP_SIMULATE},
     {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
-     .accepts = "out days from station minimum-elevation uncertain " CHANGES
+     .accepts = "times out days from station minimum-elevation uncertain " CHANGES
                 " workers share resume " RESULTS,
      .about =
          "Computes every pass of the station, or of several, and writes passes.csv, curves.csv, "
          "a calendar (passes.ics) and a picture: rise, culmination, set, shadow, magnitude, "
-         "infrared signal, temperatures, and whether the sky is dark; with --uncertain each with "
+         "infrared signal, temperatures, and whether the sky is dark. With --times it prints the "
+         "times alone, in a second; with --uncertain each with "
          "its error bar. Passes that are done are "
          "on record beside the results until these are written, so that --resume goes on. "
          "Under mpirun or srun all processes compute.",
-     .examples = "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
+     .examples = "umbra forecast scenarios/envisat-graz-2016 --times\n"
+                 "umbra forecast scenarios/envisat-graz-2016 --days 3 --set time.step_s=10\n"
                  "umbra forecast scenarios/envisat-graz-2016 --station Graz,47.067,15.493,495 "
                  "--station Zimmerwald,46.877,7.465,951\n"
                  "umbra forecast scenarios/envisat-graz-2016 --uncertain emittance:mli_kapton=0.05 "
                  "--uncertain internal_power:bus=20\n"
                  "mpirun -n 4 umbra forecast scenarios/envisat-graz-2016 --days 30\n",
-     .run = um_app_forecast},
-    {"render", "SCENARIO", "one picture, every wavelength, as OpenEXR or factored",
-     .needs = "time band file", .accepts = CHANGES " width samples wavelengths tile force",
+     .run = um_app_forecast, .group = UM_APP_OBSERVE},
+    {"render", "SCENARIO|PICTURE.nc", "a picture of one instant: OpenEXR, factored, or FITS",
+     .needs = "file",
+     .accepts = "time band sensor " CHANGES
+                " width samples wavelengths tile psf motion frame-star border frame-seed no-plots "
+                "force",
      .about =
-         "The channels are spectral radiance, and a preview in red, green and blue. A name in "
-         ".nc keeps the picture factored, what pixels see apart from the spectra of it: 5000 x "
-         "5000 pixels at 2000 wavelengths in some hundred megabytes. What it will cost is said "
-         "first.",
+         "The names say what is made.\n"
+         "FILE.exr, with --time and --band: spectral radiance of every wavelength, and a preview "
+         "in "
+         "red, green and blue.\n"
+         "FILE.nc, with the same: factored, what pixels see apart from the spectra of it. 5000 x "
+         "5000 pixels at 2000 wavelengths take some megabytes.\n"
+         "FILE.fits, with --time and --sensor: what a detector records, with the counts of umbra "
+         "run, spread by optics and air, smeared by motion, with sky, noise and saturation.\n"
+         "FILE.exr of a PICTURE.nc: that picture, or wavelengths or a tile of it.\n"
+         "What a picture in .exr or .nc will cost is said first.",
      .examples =
          "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir -o "
          "envisat.exr\n"
          "umbra render scenarios/envisat-graz-2016 --time 2016-09-21T20:40:00Z --band lwir --width "
-         "5000 --set bands.lwir.bins=2000 -o envisat.nc\n",
-     .run = um_app_render},
-    {"expand", "PICTURE.nc", "wavelengths or a tile of a factored picture, as OpenEXR",
-     .needs = "file", .accepts = "wavelengths tile force",
-     .about = "PICTURE.nc is what umbra render wrote to a name in .nc.",
-     .examples = "umbra expand envisat.nc --wavelengths 8-8.1um -o short.exr\n"
-                 "umbra expand envisat.nc --tile 2000,1500,512,512 -o array.exr\n",
-     .run = um_app_expand},
-    {"map", "SCENARIO [MEASURED]",
-     "what the body reflects, by the direction of the phase vector in its own axes",
-     .accepts = "out step phase-angles planes " CHANGES " " RESULTS,
-     .about =
-         "The phase vector halves the angle between Sun and observer. map.csv and map.exr hold "
-         "the reflectivity [m^2/sr] of every band, pass.csv the pass looked up there and "
-         "computed, measured.csv the measurements as reflectivity. Sunlight alone: no Earth, "
-         "no heat.",
-     .examples = "umbra map scenarios/flying-laptop --phase-angles 0\n"
-                 "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
-     .run = um_app_map},
-    {"frame", "SCENARIO", "what a sensor's detector records at an instant, as FITS",
-     .needs = "time sensor file",
-     .accepts = CHANGES " psf motion frame-star border frame-seed width samples no-plots force",
-     .about =
-         "The picture of the sensor's band, with the counts of umbra run, spread by optics and "
-         "air, smeared by motion, in pixels, with sky, noise and saturation.",
-     .examples = "umbra frame scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo "
-                 "--seed 1 -o ufo.fits\n",
-     .run = um_app_frame},
+         "5000 --set bands.lwir.bins=2000 -o envisat.nc\n"
+         "umbra render envisat.nc --wavelengths 8-8.1um -o short.exr\n"
+         "umbra render envisat.nc --tile 2000,1500,512,512 -o array.exr\n"
+         "umbra render scenarios/flying-laptop --time 2019-07-23T20:47:00Z --sensor ufo --seed 1 "
+         "-o ufo.fits\n",
+     .run = um_app_render, .group = UM_APP_OBSERVE},
     {"photometry", "FRAME...", "counts of an object, or of stars, on FITS frames",
      .needs = "aperture file", .accepts = "at sky star force",
      .about = "What a circle holds above the sky of a ring about it, with the error of the CCD "
@@ -103,33 +87,23 @@ static const struct um_app_verb verbs[] = {
      .examples =
          "umbra photometry night-*.fits --aperture 6,9,14 -o measured.csv\n"
          "umbra photometry night-*.fits --aperture 6,9,14 --star 8.2,131.5,40 -o stars.csv\n",
-     .run = um_app_photometry},
-    {"calibrate", "SCENARIO STARS [MEASURED]",
-     "factor and extinction of a telescope from stars, applied to measured counts",
+     .run = um_app_photometry, .group = UM_APP_OBSERVE},
+    {"calibrate", "SCENARIO STARS [MEASURED]", "a telescope's factor and extinction from stars",
      .needs = "sensor", .accepts = "file extinction " CHANGES " force",
-     .about = "Counts of stars beside those that the scenario's sensor predicts, fitted against "
+     .about = "Applied to measured counts. Counts of stars beside those that the scenario's sensor "
+              "predicts, fitted against "
               "airmass: -2.5 log10(measured/predicted) = -2.5 log10 kappa + k X. count_rate of the "
               "sensor in MEASURED is divided by that factor at its own airmass.",
      .examples = "umbra calibrate scenarios/flying-laptop stars.csv measured.csv --sensor ufo -o "
                  "calibrated.csv\n",
-     .run = um_app_calibrate},
-    {"attitude", "SCENARIO MEASURED",
-     "spins that agree with measured light: axis, sense, period and phase, every solution",
-     .accepts = "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES
-                " force json",
-     .about = "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh, "
-              "period_s and phase_deg are sought over all directions, by look-up on a reflectivity "
-              "map, and the best fitted by direct simulation. attitude.csv lists what agrees, with "
-              "how many sigma it stands apart from the best. Sunlight alone: bands that it rules.",
-     .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
-     .run = um_app_attitude},
-    {"compare", "SCENARIO MEASURED",
-     "a scenario beside measurements: how far off, when, and what the residual correlates with",
+     .run = um_app_calibrate, .group = UM_APP_OBSERVE},
+    {"compare", "SCENARIO MEASURED", "a scenario beside measurements: how far off, and when",
      .accepts = "out " CHANGES " " RESULTS,
-     .about = "Metrics per channel and segment, residuals, the worst intervals and pictures. "
+     .about = "Metrics per channel and segment, residuals and what they correlate with, the worst "
+              "intervals and pictures. "
               "docs/files.md lists the columns of the measurement file.",
-     .examples = "umbra compare scenarios/hidden-effect/dawn measured.csv\n",
-     .run = um_app_compare},
+     .examples = "umbra compare scenarios/hidden-effect/dawn measured.csv\n", .run = um_app_compare,
+     .group = UM_APP_COMPARE},
     {"study", "STUDY", "many points of a scenario: parameters, designs, surrogates",
      .accepts = "out check measured workers share resume " CHANGES " force",
      .about = "STUDY is a study.yaml: which keys, properties of materials or parameters of effects "
@@ -139,19 +113,18 @@ static const struct um_app_verb verbs[] = {
               "written: after an end of any kind --resume goes on.",
      .examples = "umbra study scenarios/envisat-graz-2016/study.yaml --check\n"
                  "umbra study scenarios/envisat-graz-2016/study.yaml --out out/cells --workers 2\n",
-     .run = um_app_study},
-    {"sensitivity", "SCENARIO",
-     "how light and temperatures move with every parameter of every effect",
+     .run = um_app_study, .group = UM_APP_EXPLORE},
+    {"sensitivity", "SCENARIO", "how light and temperatures move with every parameter",
      .accepts = "out " CHANGES " only exclude data what-if elasticity " RESULTS,
-     .about = "The matrix of derivatives of every band and place at every instant, each with its "
+     .about = "Of every effect: the matrix of derivatives of every band and place at every "
+              "instant, each with its "
               "error: a table of the largest effects and who leads in each minute, "
               "sensitivity.nc, parameters.csv, sensitivity.csv and a picture.",
      .examples = "umbra sensitivity scenarios/hidden-effect/dawn\n"
                  "umbra sensitivity scenarios/hidden-effect/dawn --only emittance --what-if "
                  "emittance:mli,factor=1.1\n",
-     .run = um_app_sensitivity},
-    {"diagnose", "SCENARIO MEASURED",
-     "which physical effect the scenario lacks, or that the measurements cannot tell",
+     .run = um_app_sensitivity, .group = UM_APP_EXPLORE},
+    {"diagnose", "SCENARIO MEASURED", "which effect the scenario lacks, or that it cannot be told",
      .accepts = "out " CHANGES " only exclude nuisance level steps resume " RESULTS,
      .about =
          "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
@@ -159,79 +132,100 @@ static const struct um_app_verb verbs[] = {
          "these are written: after an end of any kind --resume goes on.",
      .examples = "umbra diagnose scenarios/hidden-effect/dawn measured.csv --nuisance "
                  "zero_point:lwir,sigma=0.05\n",
-     .run = um_app_diagnose},
+     .run = um_app_diagnose, .group = UM_APP_COMPARE},
     {"fit", "SCENARIO MEASURED", "parameters of chosen effects, fitted to measurements",
      .needs = "add", .accepts = "out " CHANGES " nuisance resume " RESULTS,
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
-     .run = um_app_fit},
-    {"retrieve", "SCENARIO MEASURED",
-     "temperature and infrared cross-section of what was measured in three thermal bands or more",
+     .run = um_app_fit, .group = UM_APP_COMPARE},
+    {"retrieve", "SCENARIO MEASURED", "a grey body fitted to three thermal bands or more",
      .accepts = "out " CHANGES " force",
-     .about = "Of band_irradiance and radiant_intensity in bands of 3 to 40 um, time by time: one "
-              "grey body, and from five bands on two. Range and bands are the scenario's; what the "
-              "air takes is not put back.",
+     .about =
+         "Temperature and infrared cross-section (emissivity times area) of band_irradiance and "
+         "radiant_intensity in bands of 3 to 40 um, time by time: one "
+         "grey body, and from five bands on two. Range and bands are the scenario's; what the "
+         "air takes is not put back.",
      .examples = "umbra retrieve scenarios/envisat-graz-2016 measured.csv\n",
-     .run = um_app_retrieve},
+     .run = um_app_retrieve, .group = UM_APP_COMPARE},
+    {"map", "SCENARIO [MEASURED]", "what the body reflects, by direction in its own axes",
+     .accepts = "out step phase-angles planes " CHANGES " " RESULTS,
+     .about =
+         "By the direction of the phase vector, which halves the angle between Sun and observer. "
+         "map.csv and map.exr hold "
+         "the reflectivity [m^2/sr] of every band, pass.csv the pass looked up there and "
+         "computed, measured.csv the measurements as reflectivity. Sunlight alone: no Earth, "
+         "no heat.",
+     .examples = "umbra map scenarios/flying-laptop --phase-angles 0\n"
+                 "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
+     .run = um_app_map, .group = UM_APP_COMPARE},
+    {"attitude", "SCENARIO MEASURED", "spins that agree with measured light, every solution",
+     .accepts = "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES
+                " force json",
+     .about =
+         "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh with "
+         "its sense, period_s and phase_deg are sought over all directions, by look-up on a "
+         "reflectivity "
+         "map, and the best fitted by direct simulation. attitude.csv lists what agrees, with "
+         "how many sigma it stands apart from the best. Sunlight alone: bands that it rules.",
+     .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
+     .run = um_app_attitude, .group = UM_APP_COMPARE},
     {"report", "RESULTS...", "pages of results beside each other, in one page", .needs = "file",
      .accepts = "force",
      .about = "umbra run, compare, study, sensitivity, diagnose and fit write report.html into the "
               "folder of their results. This takes several into one page, where their curves stand "
               "beside each other.",
-     .examples = "umbra report out/cold out/hot -o both.html\n", .run = um_app_report},
-    {"serve", "SCENARIO", "the page of sensitivities in a browser, computing what its lines miss",
+     .examples = "umbra report out/cold out/hot -o both.html\n", .run = um_app_report,
+     .group = UM_APP_COMPARE},
+    {"serve", "SCENARIO", "the page of sensitivities in a browser, with a model behind it",
      .accepts = CHANGES " only exclude data port",
      .about =
          "Computes the matrix of umbra sensitivity, then serves its page on this machine alone, "
          "at an address with a token. A slider that leaves the interval in which a straight "
          "line is good has the model computed. Ctrl-C ends it.",
-     .examples = "umbra serve scenarios/hidden-effect/dawn --only emittance\n",
-     .run = um_app_serve},
+     .examples = "umbra serve scenarios/hidden-effect/dawn --only emittance\n", .run = um_app_serve,
+     .group = UM_APP_EXPLORE},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file",
      .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",
      .examples = "umbra synth scenarios/hidden-effect/dawn --with albedo_level,factor=1.2 "
                  "--noise 0.02 --seed 1 -o measured.csv\n",
-     .run = um_app_synth},
-    {"period", "MEASURED",
-     "the period of measured light curves by Lomb-Scargle, and the curves folded at it",
-     .accepts = "band out " RESULTS, .examples = "umbra period measured.csv --band vis\n",
-     .run = um_app_period},
+     .run = um_app_synth, .group = UM_APP_EXPLORE},
+    {"period", "MEASURED", "periods of measured light curves",
+     .about = "By Lomb-Scargle, and the curves folded at the best.", .accepts = "band out " RESULTS,
+     .examples = "umbra period measured.csv --band vis\n", .run = um_app_period,
+     .group = UM_APP_COMPARE},
     {"import", "TRACK.txt", "tracks of Mini-MegaTORTORA as a measurement file", .needs = "file",
      .accepts = "track-noise force",
-     .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import},
-    {"materials", "[MATERIAL]", "materials with their integrated properties",
+     .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import,
+     .group = UM_APP_OBSERVE},
+    {"list", "WHAT [ITEM]", "materials, filters, sensors, effects, keys or scenarios",
+     .accepts = "effect-file json",
+     .about = "What comes with the program, or with effects of your own. With ITEM the "
+              "page of one. Of keys ITEM is a path as --set takes it, without names and numbers of "
+              "elements or with; --json gives the JSON Schema.",
+     .examples = "umbra list scenarios\n"
+                 "umbra list materials mli_kapton\n"
+                 "umbra list effects panel_extraction\n"
+                 "umbra list keys parts.shell\n",
+     .run = um_app_list, .group = UM_APP_LOOK_UP},
+    {"material", "[MATERIAL]", "a material from measured reflectance or roughness",
      .accepts = "from-brdf half-angle from-profile from-reflectance reference angle json",
      .about = "With --from-brdf a fit of measured BRDFs, by kind of lobe, with its error; with "
-              "--from-reflectance a new record, called MATERIAL, to be written to a file.",
-     .examples = "umbra materials mli_kapton\n"
-                 "umbra materials --from-brdf scenarios/starlink-v15/brdf.csv --half-angle 10\n"
-                 "umbra materials panel --from-reflectance ratio.csv --reference gold "
+              "--from-profile the roughness of measured heights; with --from-reflectance a new "
+              "record, called MATERIAL, to be written to a file.",
+     .examples = "umbra material --from-brdf scenarios/starlink-v15/brdf.csv --half-angle 10\n"
+                 "umbra material panel --from-reflectance ratio.csv --reference gold "
                  "--from-profile heights.csv > panel.yaml\n",
-     .run = um_app_materials},
-    {"filters", "", "filters that come with the program, the Sun and Vega in them",
-     .accepts = "json", .examples = "umbra filters\n", .run = um_app_filters},
-    {"sensors", "[SENSOR]", "telescopes with detectors that come with the program",
-     .accepts = "json",
-     .about = "Of a name its file: keys, where they are from, and what is assumed.",
-     .examples = "umbra sensors ufo\n", .run = um_app_sensors},
-    {"effects", "[EFFECT]", "physical effects and their parameters", .accepts = "effect-file json",
-     .examples = "umbra effects panel_extraction\n", .run = um_app_effects},
-    {"schema", "[PATH]", "reference of scenario.yaml, or its JSON Schema; of a section alone",
-     .accepts = "json",
-     .about =
-         "PATH is that of a key as --set takes it, without names and numbers of elements or with.",
-     .examples = "umbra schema parts.shell\numbra schema orbit.circular.altitude_km\n",
-     .run = um_app_schema},
+     .run = um_app_material, .group = UM_APP_LOOK_UP},
     {"validate", "", "analytic and published cases, expected and computed",
      .accepts = "thermal optics json", .about = "Exit status 4 where a case misses its tolerance.",
-     .examples = "umbra validate --thermal\n", .run = um_app_validate},
+     .examples = "umbra validate --thermal\n", .run = um_app_validate, .group = UM_APP_LOOK_UP},
     {"completion", "SHELL", "completion of commands, options and names for bash or zsh",
      .examples = "umbra completion bash > ~/.local/share/bash-completion/completions/umbra\n"
                  "source <(umbra completion bash)\n",
-     .run = um_app_completion},
+     .run = um_app_completion, .group = UM_APP_LOOK_UP},
     {"help", "[COMMAND]", "this list, or a command's options", .examples = "umbra help run\n",
-     .run = um_app_help_command},
+     .run = um_app_help_command, .group = UM_APP_LOOK_UP},
 };
 
 size_t um_app_verb_count(void) { return sizeof verbs / sizeof verbs[0]; }

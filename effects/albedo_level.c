@@ -9,10 +9,9 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   environment->albedo *= use->value[0];
   environment->albedo_factor *= use->value[0];
   if (environment->albedo <= 1.0) return UM_OK;
-  return um_core_fail(
-      context, UM_ERR_INPUT,
-      "effect 'albedo_level': albedo_factor %g makes the albedo %g; accepted: up to 1",
-      use->value[0], environment->albedo);
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect 'albedo_level': factor %g makes the albedo %g; accepted: up to 1",
+                      use->value[0], environment->albedo);
 }
 
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)

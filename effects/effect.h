@@ -1,5 +1,6 @@
 /* A physical effect: one const descriptor in one file of effects/, or in a user's shared object.
- * The manual, `umbra effects`, scenario validation, ablation and diagnosis are made from it. */
+ * The manual, `umbra list effects`, scenario validation, ablation and diagnosis are made from it.
+ */
 #ifndef UMBRA_EFFECTS_EFFECT_H
 #define UMBRA_EFFECTS_EFFECT_H
 

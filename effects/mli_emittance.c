@@ -19,7 +19,7 @@ static enum um_status scale(struct um_context *context, const struct um_effect_u
   mli->effective_emittance *= use->value[0];
   if (mli->effective_emittance <= 1.0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
-                      "effect 'mli_emittance': emittance_factor %g makes the effective emittance "
+                      "effect 'mli_emittance': factor %g makes the effective emittance "
                       "of '%s.%s' %g; accepted: up to 1",
                       use->value[0], part, group, mli->effective_emittance);
 }

@@ -16,23 +16,6 @@
 
 #define DAY 86400.0
 
-/* What a forecast keeps for its runs, behind the part that is public. */
-struct held {
-  struct um_forecast forecast;
-  struct um_forecast_work work;
-  struct um_forecast_ask ask;
-  struct um_model *model;              /* the scenario as it stands */
-  struct um_model_instants instant;    /* one, of `from` */
-  size_t *place;                       /* [nplace] of the body's */
-  double *coordinate;                  /* [npass][UM_FORECAST_COORDINATES] */
-  struct um_forecast_band *band;       /* [npass][nband] */
-  struct um_forecast_place *places;    /* [npass][nplace] */
-  struct um_forecast_band *band_sigma; /* as those; of what is uncertain */
-  struct um_forecast_place *places_sigma;
-  struct um_study_identity *identity;
-  bool holds_files;
-};
-
 const char *um_forecast_sky(double sun_elevation)
 {
   static const struct {
@@ -56,7 +39,7 @@ static int by_rise(const void *a, const void *b)
 }
 
 /* Bands, and the places that are told of: parts and interiors. */
-static enum um_status name_outputs(struct um_context *context, struct held *h,
+static enum um_status name_outputs(struct um_context *context, struct um_forecast_held *h,
                                    const struct um_model *model)
 {
   struct um_forecast *f = &h->forecast;
@@ -81,7 +64,7 @@ static enum um_status name_outputs(struct um_context *context, struct held *h,
   return UM_OK;
 }
 
-static enum um_status name_stations(struct um_context *context, struct held *h,
+static enum um_status name_stations(struct um_context *context, struct um_forecast_held *h,
                                     const struct um_model *model)
 {
   struct um_forecast *f = &h->forecast;
@@ -102,7 +85,7 @@ static enum um_status name_stations(struct um_context *context, struct held *h,
   return UM_OK;
 }
 
-static enum um_status read_uncertain(struct um_context *context, struct held *h)
+static enum um_status read_uncertain(struct um_context *context, struct um_forecast_held *h)
 {
   struct um_forecast *f = &h->forecast;
   struct um_forecast_unknowns *u = &h->work.unknowns;
@@ -118,7 +101,7 @@ static enum um_status read_uncertain(struct um_context *context, struct held *h)
 
 /* The scenario with all that it is made of, the stations and what is uncertain: a pass of these has
  * its values. */
-static enum um_status identify(struct um_context *context, struct held *h,
+static enum um_status identify(struct um_context *context, struct um_forecast_held *h,
                                const struct um_model *model)
 {
   uint64_t stations = UM_CORE_DIGEST_BEGIN;
@@ -136,11 +119,44 @@ static enum um_status identify(struct um_context *context, struct held *h,
 enum um_status um_forecast_open(struct um_context *context, const struct um_forecast *forecast,
                                 const struct um_batch_task *task, struct um_batch **out)
 {
-  const struct held *h = (const struct held *)(const void *)forecast; /* its first member */
+  const struct um_forecast_held *h =
+      (const struct um_forecast_held *)(const void *)forecast; /* its first member */
   return um_study_identity_open(context, h->identity, task, out);
 }
 
-static enum um_status prepare(struct um_context *context, struct held *h)
+/* Days around the scenario, so that its own pass is seen whole. */
+static void take_days(struct um_forecast_held *h, const struct um_scenario_time *time)
+{
+  struct um_forecast *f = &h->forecast;
+  double half = fmax(0.5 * DAY, 0.5 * (time->stop - time->start));
+  bool around = isnan(h->ask.days);
+  f->from = isnan(h->ask.from) ? time->start : h->ask.from;
+  if (around) f->from = 0.5 * (time->start + time->stop) - half;
+  f->to = f->from + (around ? 2.0 * half : h->ask.days * DAY);
+}
+
+/* Days, stations and what begins with the scenario; bands and runs are not looked at. */
+static enum um_status prepare_times(struct um_context *context, struct um_forecast_held *h)
+{
+  struct um_forecast *f = &h->forecast;
+  const struct um_model *model = h->work.model = h->model;
+  take_days(h, model->scenario->time);
+  UM_TRY(um_core_strdup(context, model->scenario->name, &f->name));
+  UM_TRY(name_stations(context, h, model));
+  f->minimum_elevation = isnan(h->ask.minimum_elevation)
+                             ? model->scenario->observer->minimum_elevation_deg * UM_DEG
+                             : h->ask.minimum_elevation;
+  return um_forecast_pin(context, model, &h->work);
+}
+
+static enum um_status find_all(struct um_context *context, struct um_forecast_held *h)
+{
+  struct um_forecast *f = &h->forecast;
+  for (size_t s = 0; s < f->nstation; s++) UM_TRY(um_forecast_find(context, &h->work, f, s));
+  return um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise);
+}
+
+static enum um_status prepare(struct um_context *context, struct um_forecast_held *h)
 {
   struct um_forecast *f = &h->forecast;
   const struct um_variant_error asked = {1e-3, 1e-3, 0.1}; /* of the heat that others start from */
@@ -149,16 +165,9 @@ static enum um_status prepare(struct um_context *context, struct held *h)
   UM_TRY(um_core_snapshot_begin(context)); /* every pass is of the same bytes */
   h->holds_files = true;
   UM_TRY(um_model_create(context, h->ask.path, h->ask.options, &h->model));
-  const struct um_model *model = h->work.model = h->model;
-  f->from = isnan(h->ask.from) ? model->scenario->time->start : h->ask.from;
-  f->to = f->from + h->ask.days * DAY;
-  UM_TRY(um_core_strdup(context, model->scenario->name, &f->name));
-  UM_TRY(name_stations(context, h, model));
-  f->minimum_elevation = isnan(h->ask.minimum_elevation)
-                             ? model->scenario->observer->minimum_elevation_deg * UM_DEG
-                             : h->ask.minimum_elevation;
+  UM_TRY(prepare_times(context, h));
+  const struct um_model *model = h->model;
   UM_TRY(name_outputs(context, h, model));
-  UM_TRY(um_forecast_pin(context, model, &h->work));
   UM_TRY(read_uncertain(context, h));
   h->work.thermal = f->thermal;
   h->work.light_has_sign = um_study_light_has_sign(model);
@@ -171,14 +180,13 @@ enum um_status um_forecast_create(struct um_context *context, const struct um_fo
                                   struct um_batch_task *task, struct um_forecast **out)
 {
   enum um_status status;
-  struct held *h;
+  struct um_forecast_held *h;
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
   struct um_forecast *f = &h->forecast;
   h->ask = *ask;
   UM_CHECK(prepare(context, h));
-  for (size_t s = 0; s < f->nstation; s++) UM_CHECK(um_forecast_find(context, &h->work, f, s));
-  UM_CHECK(um_core_sort(context, f->pass, f->npass, sizeof *f->pass, by_rise));
+  UM_CHECK(find_all(context, h));
   h->work.checked = f->npass > 0 ? f->pass[0].start : (double)NAN;
   h->work.nband = f->nband;
   h->work.nplace = f->nplace;
@@ -198,105 +206,35 @@ done:
   return status;
 }
 
-/* From AB, which is on record, to the systems of the bands. */
-static void take_system(const struct um_forecast *f, struct um_forecast_band *band, double *curve)
-{
-  const size_t n = UM_FORECAST_CURVE;
-  for (size_t b = 0; b < f->nband; b++) {
-    if (isnan(f->vega_ab[b])) continue;
-    band[b].brightest -= f->vega_ab[b];
-    band[b].culmination -= f->vega_ab[b];
-    for (size_t k = 0; k < n; k++) curve[2 * b * n + k] -= f->vega_ab[b];
-  }
-}
-
-/* Bands and places out of a record, where they stand in typed arrays; what is behind them. */
-static double *take_arrays(const struct um_forecast *f, double *value,
-                           struct um_forecast_band *band, struct um_forecast_place *place)
-{
-  memcpy(band, value, f->nband * sizeof *band);
-  value += f->nband * sizeof *band / sizeof *value;
-  memcpy(place, value, f->nplace * sizeof *place);
-  return value + f->nplace * sizeof *place / sizeof *value;
-}
-
-/* Of what is uncertain, behind the values of a pass. */
-static void take_sigmas(struct held *h, size_t i, double *record)
-{
-  struct um_forecast *f = &h->forecast;
-  struct um_forecast_pass *pass = &f->pass[i];
-  size_t nvalue = um_forecast_values(f->nband, f->nplace);
-  struct um_forecast_band *band = h->band_sigma + i * f->nband;
-  struct um_forecast_place *place = h->places_sigma + i * f->nplace;
-  pass->curve_sigma = take_arrays(f, record + 1, band, place) + UM_FORECAST_CURVE;
-  pass->band_sigma = band;
-  pass->place_sigma = place;
-  pass->part = record + nvalue;
-  pass->bend = pass->part + f->nuncertain * (f->nband + f->nplace);
-}
-
-/* Give every pass its part of the values. */
-static void take_values(struct held *h, size_t nrecord)
-{
-  struct um_forecast *f = &h->forecast;
-  size_t nvalue = um_forecast_values(f->nband, f->nplace);
-  for (size_t i = 0; i < f->npass; i++) {
-    double *value = f->value + i * nrecord;
-    struct um_forecast_pass *pass = &f->pass[i];
-    struct um_forecast_band *band = h->band + i * f->nband;
-    struct um_forecast_place *place = h->places + i * f->nplace;
-    pass->delay = *value;
-    if (f->nuncertain > 0) take_sigmas(h, i, value + nvalue);
-    value = take_arrays(f, value + 1, band, place);
-    pass->band = band;
-    pass->place = place;
-    pass->curve_at = value;
-    pass->curve = value + UM_FORECAST_CURVE;
-    take_system(f, band, value + UM_FORECAST_CURVE);
-  }
-}
-
-enum um_status um_forecast_run(struct um_context *context, struct um_forecast *forecast,
-                               struct um_batch *batch)
+enum um_status um_forecast_times(struct um_context *context, const struct um_forecast_ask *ask,
+                                 struct um_forecast **out)
 {
   enum um_status status;
-  struct held *h = (struct held *)(void *)forecast; /* its first member */
-  struct um_forecast *f = forecast;
-  size_t nvalue = um_forecast_record(&h->work), sigmas = f->nuncertain > 0 ? f->npass : 0;
-  char **reason = NULL;
-  struct um_variant base;
-  UM_CHECK(um_core_allocate(context, f->npass, UM_FORECAST_COORDINATES * sizeof(double),
-                            &h->coordinate));
-  UM_CHECK(um_core_allocate(context, f->npass, nvalue * sizeof(double), &f->value));
-  UM_CHECK(um_core_allocate(context, f->npass * f->nband, sizeof *h->band, &h->band));
-  UM_CHECK(um_core_allocate(context, f->npass * f->nplace, sizeof *h->places, &h->places));
-  UM_CHECK(um_core_allocate(context, sigmas * f->nband, sizeof *h->band_sigma, &h->band_sigma));
-  UM_CHECK(
-      um_core_allocate(context, sigmas * f->nplace, sizeof *h->places_sigma, &h->places_sigma));
-  UM_CHECK(um_core_allocate(context, f->npass, sizeof *reason, &reason));
-  for (size_t i = 0; i < f->npass; i++) {
-    const struct um_forecast_pass *p = &f->pass[i];
-    const double at[] = {(double)p->station, p->start, p->stop, p->pass.culmination};
-    memcpy(h->coordinate + i * UM_FORECAST_COORDINATES, at, sizeof at);
-  }
-  if (f->npass > 0 && h->model->scenario->thermal->start == UM_START_PERIODIC)
-    UM_CHECK(um_variant_base(context, h->work.evaluator, &base)); /* before workers need it */
-  UM_CHECK(um_batch_run(context, batch, h->coordinate, f->npass, f->value, reason));
-  for (size_t i = 0; i < f->npass; i++) f->pass[i].reason = reason[i];
-  um_batch_tell_lost(context, batch, h->coordinate, f->npass, "passes.csv: row", 1);
-  take_values(h, nvalue);
-  um_forecast_tell_bends(context, f);
+  struct um_forecast_held *h;
+  struct um_forecast *f;
+  *out = NULL;
+  UM_TRY(um_core_allocate(context, 1, sizeof *h, &h));
+  h->ask = *ask;
+  h->work.times = &h->ask;
+  UM_CHECK(um_core_snapshot_begin(context)); /* every station is of the same bytes */
+  h->holds_files = true;
+  UM_CHECK(um_model_create_orbit(context, ask->path, ask->options, &h->model));
+  UM_CHECK(prepare_times(context, h));
+  UM_CHECK(find_all(context, h));
+  *out = &h->forecast;
+  h = NULL;
 done:
-  um_core_free(context, reason);
+  f = h == NULL ? NULL : &h->forecast;
+  um_forecast_destroy(context, &f);
   return status;
 }
 
 void um_forecast_destroy(struct um_context *context, struct um_forecast **forecast)
 {
   if (forecast == NULL || *forecast == NULL) return;
-  struct held *h = (struct held *)(void *)*forecast;
+  struct um_forecast_held *h = (struct um_forecast_held *)(void *)*forecast;
   struct um_forecast *f = *forecast;
-  for (size_t i = 0; i < f->npass; i++) um_core_free(context, f->pass[i].reason);
+  for (size_t i = 0; i < f->npass; i++) UM_FREE(context, f->pass[i].reason, f->pass[i].event);
   for (size_t i = 0; i < f->nband; i++) um_core_free(context, f->band[i]);
   for (size_t i = 0; i < f->nplace; i++) um_core_free(context, f->place[i]);
   for (size_t i = 0; i < f->nstation; i++) um_core_free(context, (void *)f->station[i].name);

@@ -5,6 +5,7 @@
 #define UMBRA_STUDY_FORECAST_H
 
 #include "base/batch/batch.h"
+#include "environment/environment.h"
 #include "model/build/model.h"
 #include "orbit/observer.h"
 
@@ -21,8 +22,9 @@ struct um_forecast_station {
 struct um_forecast_ask {
   const char *path; /* of the scenario */
   const struct um_model_options *options;
-  double from;                               /* t_tai [s]; NaN: the scenario's start */
-  double days;                               /* > 0 */
+  double from; /* t_tai [s]; NaN: the scenario's start */
+  double days; /* > 0; of um_forecast_times NaN, too: half a day and more to both sides of the
+                * scenario's middle, so that its own pass is among them; from is NaN then */
   double minimum_elevation;                  /* [rad]; NaN: the scenario's */
   const struct um_forecast_station *station; /* [nstation] */
   size_t nstation;                           /* 0: the scenario's station */
@@ -64,6 +66,8 @@ struct um_forecast_pass {
   double entry, exit; /* of the shadow: half of the Sun's disc is hidden, t_tai at the satellite
                        * [s]; NaN: not during the pass */
   bool sunlit_at_rise, sunlit_at_set;
+  struct um_environment_event *event; /* [nevent] edges of the shadow during the pass */
+  size_t nevent;
   double sun_elevation; /* [rad] at the station at culmination, geometric */
   double delay;         /* error of the times by the age of two-line elements, 1 sigma [s]; NaN:
                          * unknown */
@@ -116,6 +120,11 @@ const char *um_forecast_system(const struct um_forecast *forecast, size_t band);
  * moved; errors of um_model_create. The caller destroys. */
 enum um_status um_forecast_create(struct um_context *context, const struct um_forecast_ask *ask,
                                   struct um_batch_task *task, struct um_forecast **out);
+/* The passes by their times alone: nothing is to be run, and bands and places are none. Only what
+ * orbits need of the scenario is built. Errors as above; ask->uncertain is not looked at. The
+ * caller destroys. */
+enum um_status um_forecast_times(struct um_context *context, const struct um_forecast_ask *ask,
+                                 struct um_forecast **out);
 /* Open the records of the task; errors of um_study_identity_open. */
 enum um_status um_forecast_open(struct um_context *context, const struct um_forecast *forecast,
                                 const struct um_batch_task *task, struct um_batch **out);

@@ -5,7 +5,8 @@
 #include "model/build/build.h"
 #include "model/build/timeline.h"
 
-#define HOUR 3600.0 /* between observations where none are made [s] */
+#define HOUR  3600.0 /* between observations where none are made [s], */
+#define STEPS 10000  /* .. of which there are no more than so many */
 #define BEYOND                                                                                     \
   7200.0 /* passes are looked for this far outside the days, so that theirs are whole [s] */
 
@@ -38,7 +39,11 @@ static enum um_status describe(struct um_context *context, const struct um_model
     if (exit && t >= p->rise && isnan(pass->exit)) pass->exit = t;
   }
   pass->sunlit_at_set = sunlit;
-  um_core_free(context, event);
+  size_t before = 0;
+  while (before < n && event[before].t_tai < p->rise) before++;
+  pass->event = event;
+  pass->nevent = n - before;
+  for (size_t i = 0; i < pass->nevent; i++) event[i] = event[before + i];
   return UM_OK;
 }
 
@@ -75,6 +80,25 @@ enum um_status um_forecast_check_orbit(struct um_context *context, const struct 
   return UM_OK;
 }
 
+/* The scenario over the days, at the station: of a forecast a variant, of times an orbit alone. */
+static enum um_status make_orbit(struct um_context *context, const struct um_forecast_work *work,
+                                 const struct um_model_changes *changes, struct um_model **out)
+{
+  enum um_status status;
+  struct um_model_options options;
+  um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
+  if (work->times == NULL) {
+    status = um_model_variant_create(context, work->model, changes, out);
+  } else {
+    options = *work->times->options;
+    options.set = changes->key;
+    options.nset = changes->nkey;
+    status = um_model_create_orbit(context, work->times->path, &options, out);
+  }
+  um_core_quiet_end(context);
+  return status;
+}
+
 enum um_status um_forecast_find(struct um_context *context, const struct um_forecast_work *work,
                                 struct um_forecast *f, size_t station)
 {
@@ -83,10 +107,9 @@ enum um_status um_forecast_find(struct um_context *context, const struct um_fore
   struct um_model *orbit = NULL;
   struct um_orbit_pass *pass = NULL;
   size_t n = 0;
-  UM_CHECK(um_forecast_changes(context, work, station, f->from, f->to, HOUR, &changes));
-  um_core_quiet_begin(context); /* what is to be said of the orbit was said of the scenario */
-  status = um_model_variant_create(context, work->model, &changes.all, &orbit);
-  um_core_quiet_end(context);
+  double step = fmax(HOUR, (f->to - f->from) / STEPS);
+  UM_CHECK(um_forecast_changes(context, work, station, f->from, f->to, step, &changes));
+  status = make_orbit(context, work, &changes.all, &orbit);
   UM_CHECK(status);
   UM_CHECK(um_forecast_check_orbit(context, orbit));
   UM_CHECK(um_orbit_passes_find(context, &orbit->observer, orbit->trajectory, f->from - BEYOND,

@@ -4,6 +4,7 @@
 
 #include "forecast/forecast.h"
 #include "model/run/result.h"
+#include "study/identity.h"
 #include "study/parameter.h"
 #include "variant/evaluator.h"
 
@@ -23,6 +24,7 @@ struct um_forecast_unknowns {
 /* What a pass needs to be run; nothing of it changes while a batch lives. */
 struct um_forecast_work {
   const struct um_model *model;           /* the scenario as it stands */
+  const struct um_forecast_ask *times;    /* of times alone: `model` has no parts; else NULL */
   struct um_variant_evaluator *evaluator; /* of it, at one instant: its heat is where passes' heat
                                              starts from */
   const struct um_forecast_station *station; /* NULL: the scenario's own */
@@ -34,6 +36,23 @@ struct um_forecast_work {
   const bool *thermal; /* [nband] shines by its own heat; NULL without unknowns */
   struct um_forecast_unknowns unknowns;
   double checked; /* start of the pass whose bends are found by runs; NaN: none */
+};
+
+/* What a forecast keeps for its runs, behind the part that is public. */
+struct um_forecast_held {
+  struct um_forecast forecast;
+  struct um_forecast_work work;
+  struct um_forecast_ask ask;
+  struct um_model *model;              /* the scenario as it stands */
+  struct um_model_instants instant;    /* one, of `from` */
+  size_t *place;                       /* [nplace] of the body's */
+  double *coordinate;                  /* [npass][UM_FORECAST_COORDINATES] */
+  struct um_forecast_band *band;       /* [npass][nband] */
+  struct um_forecast_place *places;    /* [npass][nplace] */
+  struct um_forecast_band *band_sigma; /* as those; of what is uncertain */
+  struct um_forecast_place *places_sigma;
+  struct um_study_identity *identity;
+  bool holds_files;
 };
 
 /* Numbers in a pass: its delay, bands, places, times of the curves, curves. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/core/constants.h"
+#include "model/build/bands.h"
 #include "output/lightcurve_impl.h"
 #include "output/plot_impl.h"
 
@@ -28,7 +29,8 @@ static size_t column_of(size_t band, size_t what)
 struct extent {
   double largest, mean_lit;        /* intensity [W/sr] */
   double part[UM_MECHANISM_COUNT]; /* largest of each mechanism [W/sr] */
-  double brightest, faintest;      /* magnitudes; INFINITY and -INFINITY: none */
+  double brightest, faintest;      /* magnitudes of the band's system; INFINITY, -INFINITY: none */
+  bool vega;                       /* that system is relative to Vega, else AB */
 };
 
 static struct extent extent_of(const struct um_output_run *run, size_t band)
@@ -36,9 +38,10 @@ static struct extent extent_of(const struct um_output_run *run, size_t band)
   const struct um_model_result *r = run->result;
   struct extent e = {.brightest = INFINITY, .faintest = -INFINITY};
   size_t lit = 0;
+  e.vega = um_model_band_is_vega(run->model, band);
   for (size_t k = 0; k < r->nobs; k++) {
     double total = um_model_result_intensity(r, k, band, -1);
-    double magnitude = r->magnitude_ab[k * r->nband + band];
+    double magnitude = r->magnitude_ab[k * r->nband + band] - (e.vega ? r->vega_ab[band] : 0.0);
     e.largest = fmax(e.largest, total);
     for (int m = 0; m < UM_MECHANISM_COUNT; m++)
       e.part[m] = fmax(e.part[m], um_model_result_intensity(r, k, band, m));
@@ -102,11 +105,12 @@ static void magnitudes(struct um_plot *plot, size_t band, const struct extent *e
 {
   double faintest = fmin(e->faintest, e->brightest + MAGNITUDES);
   double margin = fmax(0.06 * (faintest - e->brightest), 0.1);
-  um_plot_ylabel(plot, "", "AB magnitude");
+  um_plot_ylabel(plot, "", e->vega ? "magnitude (Vega)" : "AB magnitude");
   um_plot_add(plot,
               "unset logscale y\nset format y '%%g'\nset yrange [%.4f:%.4f]\nplot 'lightcurve.csv' "
               "every ::1 using (x(1)):%zu with lines linewidth 2 linecolor rgb '#333333' notitle\n",
-              faintest + margin, e->brightest - margin, column_of(band, UM_LIGHTCURVE_MAG_AB));
+              faintest + margin, e->brightest - margin,
+              column_of(band, e->vega ? UM_LIGHTCURVE_MAG_VEGA : UM_LIGHTCURVE_MAG_AB));
 }
 
 static void lightcurve(struct um_plot *plot, const struct um_output_run *run)

@@ -88,7 +88,7 @@ static enum um_status effect_binding(struct um_context *context, const struct um
   if (p->parameter == NULL && effect->nparameter > 1)
     return um_document_mark_fail(context, um_document_mark_key(&p->at, "effect"),
                                  "'%s' has %zu parameters; accepted: parameter beside it, one of "
-                                 "`umbra effects %s`",
+                                 "`umbra list effects %s`",
                                  effect->name, effect->nparameter, effect->name);
   if (p->parameter != NULL) UM_TRY(find_parameter(context, p, out));
   out->unit = effect->parameters[out->which].unit;

@@ -125,7 +125,8 @@
 #define UM_DIAGNOSIS_RESEMBLES 0.3
 /* p of a correlation [1] that is said. Convention. */
 #define UM_DIAGNOSIS_CORRELATES 0.01
-/* BIC [1] behind the end, beyond which what was replaced is left to the tables. HAND. */
+/* BIC [1] behind the winner or the end, beyond which alternatives and what was replaced are left to
+ * the files. HAND. */
 #define UM_DIAGNOSIS_FAR_BEHIND 100.0
 /* Names of a group that are said. HAND. */
 #define UM_DIAGNOSIS_NAMES 4

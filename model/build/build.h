@@ -16,7 +16,7 @@ enum um_status um_model_create(struct um_context *context, const char *path,
 enum um_status um_model_variant_create(struct um_context *context, const struct um_model *origin,
                                        const struct um_model_changes *changes,
                                        struct um_model **out);
-/* Only what orbits need (for `umbra passes`): no parts, no materials. */
+/* Only what orbits need (for `umbra forecast --times`): no parts, no materials. */
 enum um_status um_model_create_orbit(struct um_context *context, const char *path,
                                      const struct um_model_options *options, struct um_model **out);
 void um_model_destroy(struct um_context *context, struct um_model **model);

@@ -77,7 +77,7 @@ static enum um_status build_sensor(struct um_context *context, struct um_model *
                          "is given beside quantum_efficiency_file; accepted: one of them");
   if (isnan(from->aperture_m))
     return um_model_fail(context, &from->at, "aperture_m",
-                         "is missing; accepted: it, or preset (`umbra sensors` lists them)");
+                         "is missing; accepted: it, or preset (`umbra list sensors` lists them)");
   to->name = from->name;
   to->exposure = or_else(from->exposure_s, model->scenario->time->exposure_s);
   if (!isnan(from->pixel_arcsec) && !(to->exposure > 0.0))

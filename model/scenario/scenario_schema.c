@@ -92,10 +92,11 @@ OBJECT(optics_object, struct um_scenario_optics, "optics", "How light curves are
        FIELDS(optics_fields));
 #define OF struct um_scenario_effect
 static const struct um_schema_field effect_fields[] = {
-    F(effect, UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra effects`")),
+    F(effect, UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra list effects`")),
     F(target, UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
     F(off, UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: switched off")),
-    F_AS(parameters, "PARAMETER", UM_SCHEMA_REST, HELP("of the effect, see `umbra effects NAME`")),
+    F_AS(parameters, "PARAMETER", UM_SCHEMA_REST,
+         HELP("of the effect, see `umbra list effects NAME`")),
 };
 #undef OF
 OBJECT(effect_object, struct um_scenario_effect, "effect", "One physical effect.",

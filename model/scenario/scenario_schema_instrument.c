@@ -7,13 +7,13 @@ static const struct um_schema_field band_fields[] = {
       HELP("lower edge; with to_um, in place of a filter")),
     F(to_um, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0.2, 100), HELP("upper edge")),
     F(filter, UM_SCHEMA_TEXT, NAME,
-      HELP("of the program's own, see `umbra filters`; in place of edges")),
+      HELP("of the program's own, see `umbra list filters`; in place of edges")),
     F(filter_file, UM_SCHEMA_TEXT, NAMES_FILE,
       HELP("CSV with wavelength_um or wavelength_nm, and transmission; in place of edges")),
     F(bins, UM_SCHEMA_INTEGER, DEFAULT(40), BETWEEN(1, 2000), HELP("of equal width")),
     F(vega_magnitude, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-2, 2),
-      HELP("that the photometric system gives Vega; 0.03 in Johnson's V. Where it is stated a "
-           "forecast's magnitudes are relative to Vega")),
+      HELP("that the photometric system gives Vega; 0.03 in Johnson's V. Where it is stated "
+           "magnitudes that run and forecast tell are relative to Vega")),
 };
 #undef OF
 SHARED_OBJECT(um_model_band_schema, struct um_scenario_band, "band", "A spectral band.",
@@ -64,7 +64,7 @@ SHARED_OBJECT(um_model_band_schema, struct um_scenario_band, "band", "A spectral
 static const struct um_schema_field sensor_fields[] = {
     F(band, UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("whose light it counts")),
     F(preset, UM_SCHEMA_TEXT, NAME,
-      HELP("of the program's own, see `umbra sensors`, for the keys that are not given here")),
+      HELP("of the program's own, see `umbra list sensors`, for the keys that are not given here")),
     COMMON,
 };
 static const struct um_schema_field preset_sensor_fields[] = {COMMON};

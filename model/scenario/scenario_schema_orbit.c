@@ -293,7 +293,7 @@ static const struct um_schema_field observer_fields[] = {
     F(air, UM_SCHEMA_MAP, .object = &air_object,
       HELP("default: irradiance and counts are those without air")),
     F(minimum_elevation_deg, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-5, 90),
-      HELP("for `umbra passes`, airless: refraction shows from -0.55 on")),
+      HELP("for `umbra forecast`, airless: refraction shows from -0.55 on")),
 };
 #undef OF
 SHARED_OBJECT(um_model_observer_schema, struct um_scenario_observer, "observer", "Who looks.",

@@ -20,7 +20,7 @@ offers() {
   COMP_WORDS=("$@")
   COMP_CWORD=$(($# - 1))
   COMPREPLY=()
-  _umbra
+  _umbra || : # nothing fits
   local IFS=$'\n'
   sorted=$(printf '%s\n' "${COMPREPLY[@]+"${COMPREPLY[@]}"}" | LC_ALL=C sort | tr '\n' '|')
 }
@@ -41,15 +41,19 @@ complete -p umbra | grep -q -- '-F _umbra umbra' || fail "not registered"
 expect "render|retrieve|run|" umbra r
 expect "--version|" umbra --v
 expect "completion|" umbra help compl
+expect "|" umbra effec # an old name
 expect "--without|" umbra run --witho
 expect "--temperature-sigma|--temperatures|" umbra synth --temp
-expect "--json|" umbra schema --j
+expect "--json|" umbra list keys --j
 expect "albedo|albedo_level|" umbra run x --with alb
-expect "panel_extraction|" umbra effects pan
+expect "panel_extraction|" umbra list effects pan
 expect "roughness|" umbra fit s m --add rough
-expect "minislr|" umbra sensors mi
-expect "mli_kapton|mli_kapton_ito|" umbra materials mli_k
-expect "orbit.circular.altitude_km|" umbra schema orbit.circular.alt
+expect "minislr|" umbra list sensors mi
+expect "johnson_b|johnson_u|johnson_v|" umbra list filters john
+expect "hidden-effect/dawn|hidden-effect/dusk|" umbra list --json scenarios hid
+expect "effects|filters|keys|materials|scenarios|sensors|" umbra list ""
+expect "mli_kapton|mli_kapton_ito|" umbra list materials mli_k
+expect "orbit.circular.altitude_km|" umbra list keys orbit.circular.alt
 expect "bash|zsh|" umbra completion ""
 expect "a b/|out/|scenarios/|" umbra run ""
 expect "scenarios/one.yaml|" umbra run scenarios/

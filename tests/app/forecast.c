@@ -1,4 +1,4 @@
-/* umbra forecast: the passes of umbra passes, with what umbra run gives of each alone; the same
+/* umbra forecast: the passes that --times tells, with what umbra run gives of each alone; the same
  * bytes for any number of processes, after a stop, and from shares. */
 #include <math.h>
 #include <signal.h>
@@ -39,7 +39,8 @@ static void second_of(char out[80], const char *key, const char *utc, int up)
 /* A band whose magnitudes are relative to Vega, in which that has 0.03. */
 #define V "bands.V={filter: johnson_v, vega_magnitude: 0.03, bins: 4}"
 
-/* Every number of the table is that of a run over the pass alone; times are those of umbra passes.
+/* Every number of the table is that of a run over the pass alone; times and sky are those of
+ * --times.
  */
 static void test_alone(void **state)
 {
@@ -47,7 +48,7 @@ static void test_alone(void **state)
   command_expect(0, "forecast", "box.yaml", "--days", "0.2", "-o", "f", "--no-plots", "--workers",
                  "2", "--set", "time.step_s=20", "--set", V, NULL);
   struct table f = table_read("f/passes.csv");
-  struct command passes = command_run("passes", "box.yaml", NULL);
+  struct command passes = command_run("forecast", "box.yaml", "--times", NULL);
   assert_true(f.nrow >= 2);
   for (size_t i = 0; i < f.nrow; i++) {
     char start[80], stop[80];
@@ -86,6 +87,70 @@ static void test_alone(void **state)
   }
   command_release(&passes);
   table_release(&f);
+}
+
+/* The Sun's elevation at a station by the Astronomical Almanac's low-precision formulas [deg], good
+ * to 0.01 deg; days since J2000.0 (UT1 is UTC here). */
+static double sun_elevation(double days, double latitude, double longitude)
+{
+  double g = (357.528 + 0.9856003 * days) * M_PI / 180.0;
+  double l = 280.460 + 0.9856474 * days + 1.915 * sin(g) + 0.020 * sin(2.0 * g);
+  double lambda = l * M_PI / 180.0, tilt = (23.439 - 4e-7 * days) * M_PI / 180.0;
+  double right = atan2(cos(tilt) * sin(lambda), cos(lambda));
+  double up = asin(sin(tilt) * sin(lambda));
+  double local = (280.46062 + 360.98564737 * days + longitude) * M_PI / 180.0 - right;
+  double phi = latitude * M_PI / 180.0;
+  return asin(sin(phi) * sin(up) + cos(phi) * cos(up) * cos(local)) * 180.0 / M_PI;
+}
+
+/* Every pass says what sky the station has, by the Sun's elevation when it culminates, and has the
+ * edges of the shadow that lie in it alone. */
+static void test_times(void **state)
+{
+  (void)state;
+  struct command c = command_run("forecast", "box.yaml", "--times", "--days", "2", "--from",
+                                 "2016-09-06T00:00:00Z", "--station", "Graz,47.067,15.493,495",
+                                 "--station", "Suva,-18.1,178.4,10", "--json", NULL);
+  size_t nights = 0, days = 0, twilights = 0, edges = 0;
+  assert_int_equal(c.code, 0);
+  for (const char *at = c.out; (at = strstr(at, "{\"station\": ")) != NULL; at++) {
+    int day, hour, minute;
+    double second, seen;
+    char rise[32], set[32], sky[16];
+    bool graz = strncmp(at + 12, "\"Graz\"", 6) == 0;
+    assert_int_equal(sscanf(strstr(at, "culmination_utc"),
+                            "culmination_utc\": \"2016-09-%dT%d:%d:%lf", &day, &hour, &minute,
+                            &second),
+                     4);
+    assert_int_equal(sscanf(strstr(at, "rise_utc"), "rise_utc\": \"%30[^\"]", rise), 1);
+    assert_int_equal(sscanf(strstr(at, "set_utc"), "set_utc\": \"%30[^\"]", set), 1);
+    assert_int_equal(sscanf(strstr(at, "sun_elevation_deg"), "sun_elevation_deg\": %lf", &seen), 1);
+    assert_int_equal(sscanf(strstr(at, "\"sky\""), "\"sky\": \"%15[^\"]", sky), 1);
+    /* 2016-09-06 0h is 6092.5 days from J2000.0 */
+    double t = 6092.5 + (day - 6) + (hour + minute / 60.0 + second / 3600.0) / 24.0;
+    double wanted = sun_elevation(t, graz ? 47.067 : -18.1, graz ? 15.493 : 178.4);
+    assert_close(seen, wanted, 0.02);
+    const char *word = wanted > -0.833  ? "day"
+                       : wanted > -6.0  ? "civil"
+                       : wanted > -12.0 ? "nautical"
+                       : wanted > -18.0 ? "astronomical"
+                                        : "night";
+    assert_string_equal(sky, word);
+    days += word[0] == 'd';
+    nights += word[1] == 'i' && word[0] == 'n';
+    twilights += word[0] == 'c' || word[0] == 'a' || word[1] == 'a';
+    const char *end = strstr(at, "]}");
+    for (const char *e = strstr(at, "{\"utc\""); e != NULL && e < end;
+         e = strstr(e + 1, "{\"utc\"")) {
+      char utc[32];
+      assert_int_equal(sscanf(e, "{\"utc\": \"%30[^\"]", utc), 1);
+      assert_true(strcmp(utc, rise) >= 0 && strcmp(utc, set) <= 0);
+      edges++;
+    }
+  }
+  print_message("%zu days, %zu twilights, %zu nights, %zu edges\n", days, twilights, nights, edges);
+  assert_true(days > 0 && nights > 0 && twilights > 0 && edges > 0);
+  command_release(&c);
 }
 
 /* Days of more seconds than a run may have observations: what is computed is the passes, and one
@@ -474,18 +539,13 @@ static void test_uncertain_refused(void **state)
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, command_leave)
-  static const struct CMUnitTest tests[] = {TEST(test_alone),
-                                            TEST(test_long),
-                                            TEST(test_picture),
-                                            TEST(test_same),
-                                            TEST(test_other),
-                                            TEST(test_calendar),
-                                            TEST(test_refused),
-                                            TEST(test_pinned),
-                                            TEST(test_reason),
-                                            TEST(test_uncertain),
-                                            TEST(test_uncertain_records),
-                                            TEST(test_uncertain_told),
-                                            TEST(test_uncertain_refused)};
+  static const struct CMUnitTest tests[] = {
+      TEST(test_times),          TEST(test_alone),
+      TEST(test_long),           TEST(test_picture),
+      TEST(test_same),           TEST(test_other),
+      TEST(test_calendar),       TEST(test_refused),
+      TEST(test_pinned),         TEST(test_reason),
+      TEST(test_uncertain),      TEST(test_uncertain_records),
+      TEST(test_uncertain_told), TEST(test_uncertain_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@
 #include "tests/app/table.h"
 
 #define MOMENT "2016-09-06T18:10:30Z"
-#define FRAME  "frame", "eye.yaml", "--time", MOMENT, "--width", "64", "--samples", "4"
+#define FRAME  "render", "eye.yaml", "--time", MOMENT, "--width", "64", "--samples", "4"
 
 /* The box with a telescope that keeps all of its light: a large saturation, a dark sky. */
 static void write_scenario(void)
@@ -123,10 +123,10 @@ static void test_refused(void **state)
       {{FRAME, "--sensor", "eye", "--psf", "seeing:5", "-o", "x.fits"},
        "point spread function of "},
       {{FRAME, "--sensor", "eye", "--motion", "1e5,0", "-o", "x.fits"}, "accepted: up to 4096 a "},
-      {{"frame", "eye.yaml", "--time", "2016-09-06T18:11:01Z", "--sensor", "eye", "-o", "x.fits"},
+      {{"render", "eye.yaml", "--time", "2016-09-06T18:11:01Z", "--sensor", "eye", "-o", "x.fits"},
        "--time 2016-09-06T18:11:01Z; accepted: 2016-09-06T18:07:00.000Z to "
        "2016-09-06T18:11:00.000Z"},
-      {{"frame", "eye.yaml", "--time", "2016-09-06T18:06:59Z", "--sensor", "eye", "-o", "x.fits"},
+      {{"render", "eye.yaml", "--time", "2016-09-06T18:06:59Z", "--sensor", "eye", "-o", "x.fits"},
        "--time 2016-09-06T18:06:59Z; accepted: 2016-09-06T18:07:00.000Z to "},
       {{FRAME, "--sensor", "eye", "-o", "x.png"},
        "x.png: no '.png' is written here; accepted: a name in .fits, .fit, .fts"},

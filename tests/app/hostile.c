@@ -119,9 +119,10 @@ static void test_effect_files(void **state)
   static const char refused[] = "effect_files: 'e.so' is code that would run inside the program";
   command_write("e.so", "not an object\n");
   command_write("s.yaml", SMALL_HEAD BOX "effect_files: [e.so]\n");
-  static const char *const verbs[] = {"check", "run", "passes"};
+  static const char *const verbs[] = {"check", "run", "forecast"};
   for (size_t i = 0; i < 3; i++)
-    expect_refused((const char *[]){verbs[i], "s.yaml", NULL}, refused, "--allow-effects");
+    expect_refused((const char *[]){verbs[i], "s.yaml", i == 2 ? "--times" : NULL, NULL}, refused,
+                   "--allow-effects");
   expect_refused((const char *[]){"check", "s.yaml", "--effect-file", "s.yaml", NULL}, refused,
                  "--effect-file with that file");
   /* named on the command line, or allowed, it is loaded, and found to be none */

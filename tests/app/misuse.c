@@ -36,8 +36,33 @@ static const struct misuse {
     {{"run", "a", "--time", "now"}, "does not take --time", "usage: umbra run"},
     {{"check"}, "SCENARIO is missing", "usage: umbra check SCENARIO"},
     {{"check", "a", "--force"}, "does not take --force", "usage: umbra check"},
-    {{"passes"}, "SCENARIO is missing", "usage: umbra passes SCENARIO"},
-    {{"render", "a"}, "--time UTC, --band B, -o FILE is missing", "usage: umbra render SCENARIO"},
+    {{"forecast"}, "SCENARIO is missing", "usage: umbra forecast SCENARIO"},
+    {{"forecast", "a", "--times", "--out", "x"},
+     "--out does not go with --times",
+     "usage: umbra forecast"},
+    {{"forecast", "a", "--times", "--workers", "2"},
+     "--workers does not go with --times",
+     "usage: umbra forecast"},
+    {{"render", "a"}, "-o FILE is missing", "usage: umbra render SCENARIO|PICTURE.nc"},
+    {{"render", "a", "-o", "x.exr"}, "--time UTC, --band B is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x", "--time", "now"}, "--band B is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x.FITS"}, "--time UTC, --sensor S is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x", "--sensor", "s"}, "--time UTC is missing", "usage: umbra render"},
+    {{"render", "a", "-o", "x.exr", "--psf", "airy"},
+     "--psf goes with a frame of a sensor (-o FILE.fits), not with a picture of a scenario",
+     "usage: umbra render"},
+    {{"render", "a", "-o", "x.nc", "--sensor", "s"},
+     "--sensor goes with a frame of a sensor (-o FILE.fits), not with a picture of a scenario",
+     "usage: umbra render"},
+    {{"render", "a", "-o", "x.fits", "--band", "vis"},
+     "--band goes with a picture of a scenario (-o FILE.exr, FILE.nc), not with a frame",
+     "usage: umbra render"},
+    {{"render", "p.nc", "-o", "x.exr", "--without", "albedo"},
+     "(-o FILE.fits), not with a part of a factored picture (PICTURE.nc -o FILE.exr)",
+     "usage: umbra render"},
+    {{"render", "p.nc", "-o", "x.fits", "--no-plots"},
+     "--no-plots goes with a frame of a sensor (-o FILE.fits), not with a part",
+     "usage: umbra render"},
     {{"render", "a", "--time", "now", "--band", "vis"},
      "-o FILE is missing",
      "usage: umbra render"},
@@ -68,9 +93,19 @@ static const struct misuse {
     {{"attitude", "a"}, "MEASURED is missing", "usage: umbra attitude SCENARIO MEASURED"},
     {{"attitude", "a", "b", "--period", "5,3"}, "--period takes", "usage: umbra attitude"},
     {{"attitude", "a", "b", "--axis-step", "0"}, "--axis-step takes", "usage: umbra attitude"},
-    {{"materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra materials"},
-    {{"effects", "--out", "x"}, "does not take --out", "usage: umbra effects"},
-    {{"schema", "x", "y"}, "too many arguments: 'y'", "usage: umbra schema"},
+    {{"list"}, "WHAT is missing", "usage: umbra list WHAT [ITEM]"},
+    {{"list", "planets"},
+     "nothing is listed under 'planets'; accepted: materials, filters, sensors, effects, keys, "
+     "scenarios",
+     "usage: umbra list"},
+    {{"list", "materials", "a", "b"}, "too many arguments: 'b'", "usage: umbra list"},
+    {{"list", "effects", "--out", "x"}, "does not take --out", "usage: umbra list"},
+    {{"list", "filters", "--effect-file", "x"},
+     "--effect-file belongs to umbra list effects",
+     "usage: umbra list"},
+    {{"material", "panel"},
+     "accepted: --from-brdf FILE, --from-profile FILE, --from-reflectance FILE",
+     "usage: umbra material"},
     {{"validate", "x"}, "too many arguments: 'x'", "usage: umbra validate"},
 };
 
@@ -134,9 +169,9 @@ static void test_help(void **state)
   assert_int_equal(help.code, 0);
   assert_string_equal(help.err, "");
   assert_string_equal(help.out, none.err);
-  static const char *const verbs[] = {
-      "run",   "check",  "passes",    "forecast", "render", "compare",  "diagnose",   "fit",
-      "synth", "period", "materials", "effects",  "schema", "validate", "completion", "help"};
+  static const char *const verbs[] = {"run",      "check",    "forecast",   "render", "compare",
+                                      "diagnose", "fit",      "synth",      "period", "list",
+                                      "material", "validate", "completion", "help"};
   for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
     char usage[64];
     snprintf(usage, sizeof usage, "  umbra %s", verbs[i]);
@@ -153,7 +188,7 @@ static void test_help_of_defaults(void **state)
   (void)state;
   static const struct {
     const char *verb, *holds[3];
-  } defaults[] = {{"render", {"Pixels of a line, up to 8192. Default: 512.", "Required."}},
+  } defaults[] = {{"render", {"Pixels of a line, up to 8192. Default: 512; of a", "Required."}},
                   {"synth", {"Default: FLOOR 0.001.", "Noise of temperatures [K]. Default: 0.5."}},
                   {"diagnose", {"Default: 0.01.", "Default: 4.", "Example: --level 0.001"}}};
   for (size_t i = 0; i < sizeof defaults / sizeof defaults[0]; i++) {

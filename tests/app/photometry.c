@@ -1,7 +1,7 @@
-/* umbra photometry and umbra calibrate, by way of umbra frame and back: a pass whose telescope lets
- * through half of what is stated under air of 0.2 mag per airmass, with two stars in every frame.
- * The stars give the factor and the extinction, the frames counts, and calibrated they are what the
- * scenario, which knows of neither, says of the satellite. */
+/* umbra photometry and umbra calibrate, by way of frames of umbra render and back: a pass whose
+ * telescope lets through half of what is stated under air of 0.2 mag per airmass, with two stars in
+ * every frame. The stars give the factor and the extinction, the frames counts, and calibrated they
+ * are what the scenario, which knows of neither, says of the satellite. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ static void expose(int draw)
   for (int i = 0; i < FRAMES; i++) {
     char seed[16];
     snprintf(seed, sizeof seed, "%d", FRAMES * draw + i);
-    command_expect(0, "frame", "eye.yaml", "--time", moment[i], "--sensor", "eye", "--with",
+    command_expect(0, "render", "eye.yaml", "--time", moment[i], "--sensor", "eye", "--with",
                    "zero_point:vis,factor=0.5", "--with", "extinction:vis,k_mag=0.2", "--star",
                    "7.5,40,30", "--star", "8.5,-40,-30", "--width", "32", "--samples", "4",
                    "--border", "16", "--seed", seed, "--no-plots", "-o", file[i], "--force", NULL);
@@ -151,7 +151,7 @@ static void write_short(const char *from, const char *to)
 
 static void expose_one(const char *saturation)
 {
-  command_expect(0, "frame", "eye.yaml", "--time", moment[3], "--sensor", "eye", "--width", "32",
+  command_expect(0, "render", "eye.yaml", "--time", moment[3], "--sensor", "eye", "--width", "32",
                  "--samples", "4", "--border", "16", "--seed", "1", "-o", "a.fits", "--with",
                  "zero_point:vis,factor=0.1", "--set", saturation, "--force", NULL);
 }

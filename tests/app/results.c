@@ -18,8 +18,8 @@
 #define HEAT_HEADER      "time_utc,node,solar,albedo,planet,internal,conducted,radiated,exchanged,stored"
 #define PLACE(name)      "," name ".mean_K," name ".min_K," name ".max_K"
 
-/* The Sun is down behind the Earth until 18:10:04.9 (umbra passes); the satellite rises at
- * 18:07:50. Without the Earth's air the Sun term is exactly zero until then and the heat is not;
+/* The Sun is down behind the Earth until 18:10:04.9 (umbra forecast --times); the satellite rises
+ * at 18:07:50. Without the Earth's air the Sun term is exactly zero until then and the heat is not;
  * 5 s before, air bends a few percent of sunlight in, and 55 s after hides less than 1e-5 of it. */
 static void test_lightcurve(void **state)
 {

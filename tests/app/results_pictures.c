@@ -151,11 +151,53 @@ static void test_pictures(void **state)
   free(script);
 }
 
+/* A band of Johnson's system is told and drawn in magnitudes relative to Vega, AB beside it; the
+ * numbers are those of lightcurve.csv. */
+static void test_magnitudes(void **state)
+{
+  (void)state;
+  char line[200];
+  double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
+  static const char *const columns[] = {"V_mag_vega", "V_mag_ab"};
+  command_copy_data("box.yaml");
+  struct command c =
+      command_run("run", "box.yaml", "--out", "v", "--set", "time.step_s=20", "--set",
+                  "bands.V={filter: johnson_v, vega_magnitude: 0.03, bins: 4}", NULL);
+  assert_int_equal(c.code, 0);
+  struct table t = table_read("v/lightcurve.csv");
+  for (size_t k = 0; k < t.nrow; k++)
+    for (int i = 0; i < 2; i++) {
+      if (table_text(&t, k, columns[i])[0] == '\0') continue;
+      if (!(table_number(&t, k, "sunlit_fraction") > 1e-3)) continue;
+      least[i] = fmin(least[i], table_number(&t, k, columns[i]));
+      most[i] = fmax(most[i], table_number(&t, k, columns[i]));
+    }
+  assert_true(least[0] < most[0] && fabs(least[0] - least[1]) > 0.01);
+  snprintf(line, sizeof line,
+           "\n      magnitude in sunlight, without air, V (Vega): %.2f to %.2f; AB: %.2f to %.2f\n",
+           least[0], most[0], least[1], most[1]);
+  if (strstr(c.out, line) == NULL) fail_msg("no '%s' in\n%s", line, c.out);
+  assert_non_null(strstr(c.out, "\n      magnitude in sunlight, without air, vis (AB): "));
+  assert_null(strstr(c.out, "lwir (AB)"));
+  command_release(&c);
+  char *script = command_read("v/plots.gp"), *drawn = strstr(script, "'magnitude (Vega)'");
+  snprintf(line, sizeof line, "using (x(1)):%zu with lines", 1 + table_column(&t, columns[0]));
+  assert_non_null(drawn);
+  assert_non_null(strstr(drawn, line));
+  drawn = strstr(script, "'AB magnitude'");
+  snprintf(line, sizeof line, "using (x(1)):%zu with lines", 1 + table_column(&t, "vis_mag_ab"));
+  assert_non_null(drawn);
+  assert_non_null(strstr(drawn, line));
+  table_release(&t);
+  free(script);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_mechanisms_named, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_pictures, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_magnitudes, command_enter, command_leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -330,10 +330,11 @@ static void fractions(const char *option, const char *effect, double out[26])
 }
 
 /* The sum of the fractions at 1 s is the time of light in the window, so that its loss is a delay
- * of the edge; the penumbra lasts from 18:10:04.9 to 18:10:18.3 (umbra passes), which holds 14
- * whole seconds. A sphere of the equatorial radius hides the Sun longer than the ellipsoid, by
- * seconds. All of it for the bare Earth; its air lets some light in all the time, red and bent, and
- * keeps half of the disc's away for some 10 s longer (12, 9 and 7 s at 0.45, 0.55 and 0.65 um). */
+ * of the edge; the penumbra lasts from 18:10:04.9 to 18:10:18.3 (umbra forecast --times), which
+ * holds 14 whole seconds. A sphere of the equatorial radius hides the Sun longer than the
+ * ellipsoid, by seconds. All of it for the bare Earth; its air lets some light in all the time, red
+ * and bent, and keeps half of the disc's away for some 10 s longer (12, 9 and 7 s at 0.45, 0.55 and
+ * 0.65 um). */
 static void test_edge(void **state)
 {
   (void)state;

@@ -222,7 +222,7 @@ static const struct stage stages[] = {
      "attitude:\n  - fixed: {q_gcrs: [1, 0, 0, 0]}\n"
      "observer: {station: {name: Graz, latitude_deg: 47, longitude_deg: 15, height_m: 0}}\n" BOX,
      "passes were looked for",
-     {"passes", "s.yaml"},
+     {"forecast", "s.yaml", "--times"},
      SIGTERM,
      NULL,
      0.0},

@@ -46,16 +46,24 @@ static void test_json(void **state)
     const char *argument[8], *holds;
   } cases[] = {
       {{"check", "box.yaml", "--json"}, "\"area_m2\": 6,"},
-      {{"passes", "box.yaml", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
-      {{"materials", "--json"}, "\"name\": \"grey_white\""},
-      {{"materials", "grey_white", "--json"}, "\"solar_absorptance\": 0.2,"},
-      {{"materials", "--from-reflectance", "ratio.csv", "--json"}, "\"above_one\": 1,"},
-      {{"effects", "--json"}, "\"name\": \"albedo\", \"on_by_default\": true"},
-      {{"effects", "albedo", "--json"}, "\"parameters\": ["},
-      {{"schema", "--json"}, "\"start_utc\""},
-      {{"schema", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
-      {{"schema", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
+      {{"forecast", "box.yaml", "--times", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
+      {{"list", "materials", "--json"}, "\"name\": \"grey_white\""},
+      {{"list", "materials", "grey_white", "--json"}, "\"solar_absorptance\": 0.2,"},
+      {{"material", "--from-reflectance", "ratio.csv", "--json"}, "\"above_one\": 1,"},
+      {{"list", "effects", "--json"}, "\"name\": \"albedo\", \"on_by_default\": true"},
+      {{"list", "effects", "albedo", "--json"}, "\"parameters\": ["},
+      {{"list", "sensors", "--json"}, "\"name\": \"ufo\", \"summary\": "},
+      {{"list", "sensors", "ufo", "--json"}, "\"assumed\": "},
+      {{"list", "filters", "--json"}, "\"name\": \"johnson_v\", \"from_um\": "},
+      {{"list", "filters", "johnson_v", "--json"}, "\"vega_ab\": "},
+      {{"list", "scenarios", "--json"}, "\"name\": \"hidden-effect/dawn\", \"summary\": "},
+      {{"list", "scenarios", "cube", "--json"}, "\"folder\": "},
+      {{"list", "keys", "--json"}, "\"start_utc\""},
+      {{"list", "keys", "parts.shell", "--json"}, "\"front_share\": {\"type\": \"number\""},
+      {{"list", "keys", "time.step_s", "--json"}, "{\"type\": \"number\", \"exclusiveMinimum\": 0"},
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"}, "\"folder\": \"out\""},
+      {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"},
+       "\"magnitude_system\": \"AB\", \"brightest_mag\": "},
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
        "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
@@ -75,20 +83,20 @@ static void test_laboratory(void **state)
   (void)state;
   command_copy_data("box.yaml");
   command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n0.6,0.5\n1.1,0.5\n");
-  struct command c = command_run("materials", "mine", "--from-reflectance", "ratio.csv", NULL);
+  struct command c = command_run("material", "mine", "--from-reflectance", "ratio.csv", NULL);
   assert_int_equal(c.code, 0);
   command_write("mine.yaml", c.out);
   command_release(&c);
   command_expect(0, "check", "box.yaml", "--set", "material_files=[mine.yaml]", "--set",
                  "parts.bus.outside=mine", NULL);
-  c = command_run("materials", "a b", "--from-reflectance", "ratio.csv", NULL);
+  c = command_run("material", "a b", "--from-reflectance", "ratio.csv", NULL);
   assert_int_equal(c.code, 1);
   assert_non_null(strstr(c.err, "'a b' is no name of a record"));
   command_release(&c);
-  c = command_run("materials", "--from-reflectance", "ratio.csv", "--reference", "golf", NULL);
+  c = command_run("material", "--from-reflectance", "ratio.csv", "--reference", "golf", NULL);
   assert_non_null(strstr(c.err, "did you mean gold?"));
   command_release(&c);
-  c = command_run("materials", "--from-reflectance", "ratio.csv", "--angle", "90", NULL);
+  c = command_run("material", "--from-reflectance", "ratio.csv", "--angle", "90", NULL);
   assert_non_null(strstr(c.err, "--angle: '90'; accepted: 0 to below 90"));
   command_release(&c);
 }
@@ -122,16 +130,25 @@ static void test_text(void **state)
     const char *argument[4], *holds[5];
   } cases[] = {
       {{"check", "box.yaml"}, {"box: 2016-09-06T18:07:00.000Z to", "6.0000      1.0000  closed"}},
-      {{"passes", "box.yaml"}, {"over Graz", "culminates", "azimuth", "leaves the umbra"}},
-      {{"materials"}, {"grey_white", "aluminium_bare", "solar abs."}},
-      {{"materials", "grey_white"}, {"solar absorptance 0.2000", "hemispherical 0.8800"}},
-      {{"effects"}, {"albedo", "penumbra", "oblateness"}},
-      {{"effects", "albedo"}, {"on by default", "reference: "}},
-      {{"schema"}, {"start_utc", "areal_heat_capacity_J_m2_K"}},
-      {{"schema", "parts.shell"}, {"# shell\n", "Stands at `parts.shell`", "| `front_share` |"}},
-      {{"schema", "parts.bus.shell"}, {"# shell\n", "| `front_share` |"}},
-      {{"schema", "orbit"}, {"# orbit\n", "`tle`", "Sections of it: ", "`orbit.circular`"}},
-      {{"schema", "orbit.circular.altitude_km"},
+      {{"forecast", "box.yaml", "--times"},
+       {"7 passes above 0 deg over Graz from 2016-09-06T06:09:00.000Z to 2016-09-07T06:09",
+        "culminates", "azimuth", "leaves the umbra"}},
+      {{"list", "materials"}, {"grey_white", "aluminium_bare", "solar abs."}},
+      {{"list", "materials", "grey_white"}, {"solar absorptance 0.2000", "hemispherical 0.8800"}},
+      {{"list", "effects"}, {"albedo", "penumbra", "oblateness"}},
+      {{"list", "effects", "albedo"}, {"on by default", "reference: "}},
+      {{"list", "filters"}, {"johnson_v", "lsst_y", "pivot um", "Vega AB"}},
+      {{"list", "filters", "johnson_v"}, {"johnson_v", "Vega AB", "curve: ", "johnson_v.csv"}},
+      {{"list", "sensors"}, {"ufo", "minislr"}},
+      {{"list", "sensors", "ufo"}, {"summary: ", "aperture_m: "}},
+      {{"list", "scenarios"}, {"cube ", "as ESATAN-TMS", "hidden-effect/dusk ", "They lie in "}},
+      {{"list", "scenarios", "cube"}, {"cube: Black 1 m cube", "umbra run ", "scenarios/cube\n"}},
+      {{"list", "keys"}, {"start_utc", "areal_heat_capacity_J_m2_K"}},
+      {{"list", "keys", "parts.shell"},
+       {"# shell\n", "Stands at `parts.shell`", "| `front_share` |"}},
+      {{"list", "keys", "parts.bus.shell"}, {"# shell\n", "| `front_share` |"}},
+      {{"list", "keys", "orbit"}, {"# orbit\n", "`tle`", "Sections of it: ", "`orbit.circular`"}},
+      {{"list", "keys", "orbit.circular.altitude_km"},
        {"| `altitude_km` | a finite number, at least 1, at most 1000000"}},
   };
   command_copy_data("box.yaml");
@@ -146,14 +163,18 @@ static void test_failures(void **state)
 {
   (void)state;
   static const struct failure cases[] = {
-      {{"materials", "grey_whit"}, "did you mean"},
-      {{"schema", "parts.shel"}, "part has no key 'shel'; did you mean 'shell'?; accepted: name, "},
-      {{"schema", "orbits.tle"}, "scenario has no key 'orbits'; did you mean 'orbit'?; accepted: "},
-      {{"schema", "time.step_s.x"}, "'step_s' holds no keys"},
-      {{"schema", ""}, "scenario has no key ''; accepted: schema"},
-      {{"effects", "albeda"}, "did you mean 'albedo'?; accepted: albedo"},
+      {{"list", "materials", "grey_whit"}, "did you mean"},
+      {{"list", "scenarios", "cub"}, "did you mean 'cube'?; accepted: blind/a, "},
+      {{"list", "filters", "johnson_w"}, "did you mean 'johnson_"},
+      {{"list", "keys", "parts.shel"},
+       "part has no key 'shel'; did you mean 'shell'?; accepted: name, "},
+      {{"list", "keys", "orbits.tle"},
+       "scenario has no key 'orbits'; did you mean 'orbit'?; accepted: "},
+      {{"list", "keys", "time.step_s.x"}, "'step_s' holds no keys"},
+      {{"list", "keys", ""}, "scenario has no key ''; accepted: schema"},
+      {{"list", "effects", "albeda"}, "did you mean 'albedo'?; accepted: albedo"},
       {{"check", "nowhere.yaml"}, "nowhere.yaml: No such file"},
-      {{"passes", "space.yaml"}, "observer.station"},
+      {{"forecast", "space.yaml", "--times"}, "observer.station"},
       {{RENDER, MOMENT, "--band", "vos", "-o", "a.exr"}, "did you mean 'vis'?; accepted: vis"},
       {{RENDER, "--time", "noon", "--band", "vis", "-o", "a.exr"}, "'noon'"},
       {{RENDER, MOMENT, "--band", "vis", "-o", "box.yaml"}, "box.yaml: exists"},
@@ -215,7 +236,7 @@ static void test_full_standard_output(void **state)
     print_message("skipped: this system has no /dev/full\n");
     skip();
   }
-  int code = system(UMBRA_PROGRAM " materials > /dev/full 2> said");
+  int code = system(UMBRA_PROGRAM " list materials > /dev/full 2> said");
   assert_int_equal(code, 1 << 8);
   char *said = command_read("said");
   assert_non_null(strstr(said, "umbra: standard output: "));
@@ -421,9 +442,85 @@ static void test_counted_twice(void **state)
   command_release(&c);
 }
 
+/* An old name does what the new one does, with the same words on standard output, and says the new
+ * one on a line of its own; the help has the new one alone, on the page of either. */
+static void test_old_names(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *old[8], *now[8], *says;
+  } cases[] = {
+      {{"materials"}, {"list", "materials"}, "umbra materials is now umbra list materials;"},
+      {{"materials", "grey_white", "--json"},
+       {"list", "materials", "grey_white", "--json"},
+       "umbra materials is now umbra list materials;"},
+      {{"materials", "mine", "--from-reflectance", "ratio.csv"},
+       {"material", "mine", "--from-reflectance", "ratio.csv"},
+       "umbra materials is now umbra material;"},
+      {{"filters", "--json"}, {"list", "filters", "--json"}, "umbra filters is now umbra list "},
+      {{"sensors", "ufo"}, {"list", "sensors", "ufo"}, "umbra sensors is now umbra list sensors;"},
+      {{"effects", "albedo"}, {"list", "effects", "albedo"}, "umbra effects is now umbra list "},
+      {{"schema", "time"}, {"list", "keys", "time"}, "umbra schema is now umbra list keys;"},
+      {{"passes", "box.yaml", "--json"},
+       {"forecast", "box.yaml", "--times", "--json"},
+       "umbra passes is now umbra forecast --times;"},
+      {{"frame", "--help"}, {"render", "--help"}, "umbra frame is now umbra render;"},
+      {{"expand", "--help"}, {"render", "--help"}, "umbra expand is now umbra render;"},
+      {{"help", "effects"}, {"help", "list"}, NULL},
+      {{"effects", "--help"}, {"list", "--help"}, "umbra effects is now umbra list effects;"},
+  };
+  command_copy_data("box.yaml");
+  command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n0.6,0.5\n1.1,0.5\n");
+  struct command help = command_run("--help", NULL);
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    struct command a = command_run_list(cases[i].old), b = command_run_list(cases[i].now);
+    char listed[64];
+    assert_int_equal(a.code, 0);
+    assert_int_equal(b.code, 0);
+    assert_string_equal(a.out, b.out);
+    assert_string_equal(b.err, "");
+    if (cases[i].says != NULL) {
+      assert_int_equal(command_count_lines(a.err), 1);
+      if (strstr(a.err, cases[i].says) == NULL ||
+          strstr(a.err, "; the old name works until version 0.6\n") == NULL)
+        fail_msg("no '%s' in\n%s", cases[i].says, a.err);
+      snprintf(listed, sizeof listed, "  umbra %s ", cases[i].old[0]);
+      assert_null(strstr(help.out, listed));
+    }
+    command_release(&a);
+    command_release(&b);
+  }
+  command_release(&help);
+}
+
+/* Verbs stand in groups by what a user does, behind the usual way. */
+static void test_groups(void **state)
+{
+  (void)state;
+  static const char *const order[] = {
+      "\nThe usual way:\n", "  umbra run SCENARIO ", "  umbra compare SCENARIO MEASURED ",
+      "\nSimulate:\n",      "\n  umbra run  ",       "\n  umbra check  ",
+      "\nObserve:\n",       "\n  umbra forecast  ",  "\n  umbra render  ",
+      "\nCompare:\n",       "\n  umbra compare  ",   "\n  umbra diagnose  ",
+      "\nExplore:\n",       "\n  umbra study  ",     "\n  umbra sensitivity  ",
+      "\nLook up:\n",       "\n  umbra list  ",      "\n  umbra help  "};
+  struct command c = command_run("--help", NULL);
+  const char *at = c.out;
+  for (size_t i = 0; i < sizeof order / sizeof order[0]; i++) {
+    const char *next = strstr(at, order[i]);
+    if (next == NULL) fail_msg("no '%s' behind\n%s", order[i], at);
+    at = next;
+  }
+  for (const char *line = c.out; *line != '\0'; line += strcspn(line, "\n") + 1)
+    assert_true(strcspn(line, "\n") <= 80);
+  command_release(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(test_old_names, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_groups, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_exchange, command_enter, command_leave),
       cmocka_unit_test(test_json_checker),
       cmocka_unit_test_setup_teardown(test_json, command_enter, command_leave),

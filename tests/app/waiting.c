@@ -56,11 +56,11 @@ static void test_pipes(void **state)
       {NULL, NULL, {"compare", "box.yaml", "pipe"}},
       {NULL, NULL, {"compare", "box.yaml", "folder/link"}},
       {NULL, NULL, {"photometry", "pipe", "--aperture", "3,5,7", "-o", "x.csv"}},
-      {NULL, NULL, {"expand", "pipe", "-o", "x.exr"}},
+      {NULL, NULL, {"render", "folder/pipe.nc", "-o", "x.exr"}},
       {NULL, NULL, {"import", "pipe", "-o", "x.csv"}},
       {NULL, NULL, {"check", "box.yaml", "--effect-file", "pipe"}},
-      {NULL, NULL, {"materials", "--from-profile", "pipe"}},
-      {NULL, NULL, {"materials", "--from-brdf", "pipe", "--half-angle", "10"}},
+      {NULL, NULL, {"material", "--from-profile", "pipe"}},
+      {NULL, NULL, {"material", "--from-brdf", "pipe", "--half-angle", "10"}},
       {NULL, NULL, {"study", "study.yaml", "-o", "out"}},
       {"box: {size_m: [1, 1, 1]}", "mesh: pipe", {"check", "box.yaml"}},
       {"bands:", "material_files: [pipe]\nbands:", {"check", "box.yaml"}},
@@ -76,6 +76,7 @@ static void test_pipes(void **state)
   assert_int_equal(mkdir("folder", 0777), 0);
   assert_int_equal(mkfifo("folder/scenario.yaml", 0666), 0);
   assert_int_equal(symlink("../pipe", "folder/link"), 0);
+  assert_int_equal(symlink("../pipe", "folder/pipe.nc"), 0);
   assert_int_equal(mkdir("out.points", 0777), 0);
   assert_int_equal(mkfifo("out.points/points.records", 0666), 0);
   command_write("study.yaml", study);

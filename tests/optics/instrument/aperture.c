@@ -1,6 +1,6 @@
 /* Aperture photometry: areas of circles on pixels by their closed form and by points; the share of
  * a Gaussian's light in a circle, 1 - 2^(-4 q^2); the CCD equation's check value; and over many
- * seeds of what umbra frame writes, what is measured scatters by what is stated. */
+ * seeds of what umbra render writes to FITS, what is measured scatters by what is stated. */
 #include "optics/instrument/aperture.h"
 
 #include <math.h>
