@@ -114,7 +114,6 @@ void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_RESULTS] = "a folder of results with report.html, or such a file; up to 8",
-      [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
       [UM_APP_FILES] = "a file: a track as the survey gives it, frames in FITS",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",

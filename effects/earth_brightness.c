@@ -10,7 +10,7 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
   environment->brightness_shift += use->value[0];
   if (environment->brightness_temperature > 0.0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
-                      "effect 'earth_brightness': brightness_temperature_shift_K %g makes the "
+                      "effect 'earth_brightness': shift_K %g makes the "
                       "brightness temperature %g K; accepted: above 0",
                       use->value[0], environment->brightness_temperature);
 }

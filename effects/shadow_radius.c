@@ -14,7 +14,7 @@ static enum um_status shift(struct um_context *context, const struct um_effect_u
   environment->shadow_radius += use->value[0] * 1e3; /* km -> m */
   if (environment->shadow_radius > 0.0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
-                      "effect 'shadow_radius': shadow_radius_shift_km %g makes the radius %g km; "
+                      "effect 'shadow_radius': shift_km %g makes the radius %g km; "
                       "accepted: above 0",
                       use->value[0], environment->shadow_radius * 1e-3);
 }
