@@ -87,7 +87,8 @@ struct um_app_options {
   const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
   const char **station, **uncertain;    /* and --uncertain */
   size_t nstation, nuncertain;
-  char *command; /* the command as typed */
+  const char *from_mesh, *tle; /* of new: --from, --tle */
+  char *command;               /* the command as typed */
 };
 
 /* What an option takes and where it goes. */
@@ -179,12 +180,12 @@ void um_app_effect_page(FILE *file, const struct umbra_effect *effect);
 void um_app_effect_manual(FILE *file, const struct umbra *umbra);
 
 /* The commands. */
-um_app_command um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_check, um_app_passes,
-    um_app_forecast, um_app_filters, um_app_retrieve, um_app_photometry, um_app_calibrate,
-    um_app_sensors, um_app_materials_profile, um_app_materials_reflectance, um_app_materials_fit,
-    um_app_materials, um_app_effects, um_app_render, um_app_frame, um_app_expand, um_app_attitude,
-    um_app_map, um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit,
-    um_app_sensitivity, um_app_synth, um_app_validate, um_app_schema, um_app_completion,
-    um_app_help_command;
+um_app_command um_app_new, um_app_run, um_app_study, um_app_cases, um_app_exchange, um_app_check,
+    um_app_passes, um_app_forecast, um_app_filters, um_app_retrieve, um_app_photometry,
+    um_app_calibrate, um_app_sensors, um_app_materials_profile, um_app_materials_reflectance,
+    um_app_materials_fit, um_app_materials, um_app_effects, um_app_render, um_app_frame,
+    um_app_expand, um_app_attitude, um_app_map, um_app_compare, um_app_period, um_app_import,
+    um_app_diagnose, um_app_fit, um_app_sensitivity, um_app_synth, um_app_validate, um_app_schema,
+    um_app_completion, um_app_help_command;
 
 #endif

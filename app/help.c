@@ -93,10 +93,12 @@ static void heading(FILE *file, const char *what, const struct um_app_verb *verb
 static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page)
 {
   static const char *const meaning[] = {
+      [UM_APP_NOTHING] = "a name that is not taken yet",
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
-      [UM_APP_FILES] = "a file: a track as the survey gives it, a picture as umbra render wrote it",
+      [UM_APP_FILES] =
+          "a file: a table of any header, a track of a survey, a picture of umbra render",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",

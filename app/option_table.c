@@ -15,6 +15,16 @@ static const struct um_app_option table[] = {
      .example = "--out out/cold", .help = "Folder of the results. It appears whole or not at all."},
     {"file", "out", "FILE", 'o', UM_APP_TEXT, AT(out), .offers = UM_APP_FILES,
      .example = "-o measured.csv", .help = "The file to write."},
+    {"from-mesh", "from", "MESH.obj", .takes = UM_APP_TEXT, AT(from_mesh), .offers = UM_APP_FILES,
+     .default_value = "a 3U CubeSat", .example = "--from satellite.obj",
+     .help = "Take the parts from the groups of this mesh, which is copied into the folder."},
+    {"tle", "tle", "FILE", .takes = UM_APP_TEXT, AT(tle), .offers = UM_APP_FILES,
+     .default_value = "a circle at 500 km", .example = "--tle satellite.tle",
+     .help = "Two-line elements of the orbit, copied into the folder; a pass in the three days "
+             "behind their epoch is taken."},
+    {"one-station", "station", "NAME,LAT,LON,HEIGHT", LIST(station), .default_value = "Graz",
+     .example = "--station Graz,47.067,15.493,495",
+     .help = "Where the telescope stands: degrees north and east, metres."},
     {"set", "set", "KEY=VALUE", LIST(set), .example = "--set parts.bus.interior.power_W=50",
      .help = "Change a key of the scenario; names stand where lists have names. A list takes "
              "LIST.+=VALUE at its end. See umbra schema."},

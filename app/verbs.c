@@ -8,6 +8,15 @@
 #define RESULTS "force no-plots json"
 
 static const struct um_app_verb verbs[] = {
+    {"new", "NAME", "a folder with a commented scenario to begin with",
+     .accepts = "from-mesh tle one-station",
+     .about = "A 3U CubeSat that leaves the Earth's shadow over a telescope, ready to run; with "
+              "--from the parts are those of a mesh, with --tle the orbit is that of a satellite. "
+              "NAME must not exist. docs/obj.md says how meshes are read.",
+     .examples = "umbra new mine\n"
+                 "umbra new mine --from satellite.obj --tle satellite.tle --station "
+                 "Graz,47.067,15.493,495\n",
+     .run = um_app_new},
     {"run", "SCENARIO", "light curves and temperatures of a scenario",
      .accepts = "out " CHANGES " picture " RESULTS,
      .about = "Computes the geometry, the heat and the light of every instant and writes tables, "
