@@ -87,8 +87,13 @@ struct um_app_options {
   const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
   const char **station, **uncertain;    /* and --uncertain */
   size_t nstation, nuncertain;
-  const char *from_mesh, *tle; /* of new: --from, --tle */
-  char *command;               /* the command as typed */
+  /* of import: --time and so on, columns of a table and words about them */
+  const char *column_time, *column_magnitude, *column_flux, *column_counts, *column_temperature;
+  const char *column_sigma, *column_flag, *column_exposure, *column_track;
+  const char *column_band, *column_of, *column_system, *column_unit;
+  const char *like, *format;                 /* of import */
+  const char *from_mesh, *tle, *one_station; /* of new: --from, --tle, --station */
+  char *command;                             /* the command as typed */
 };
 
 /* What an option takes and where it goes. */

@@ -149,7 +149,7 @@ static enum um_status put_name(struct um_context *context, const struct um_app_o
                                const char *name, char **text)
 {
   char *value = NULL;
-  bool own = options->from_mesh != NULL || options->tle != NULL || options->nstation > 0;
+  bool own = options->from_mesh != NULL || options->tle != NULL || options->one_station != NULL;
   UM_TRY(um_core_asprintf(context, &value, "name: \"%s\"\n", name));
   enum um_status status = um_app_new_put(context, text, "name", NULL, value);
   um_core_free(context, value);
@@ -169,8 +169,8 @@ static enum um_status put_sky(struct um_context *context, struct um_core_folder 
 {
   double from = NAN;
   if (options->tle != NULL) UM_TRY(put_elements(context, folder, options->tle, text, &from));
-  if (options->nstation > 0) UM_TRY(put_station(context, options->station[0], text));
-  made->looked = options->tle != NULL || options->nstation > 0;
+  if (options->one_station != NULL) UM_TRY(put_station(context, options->one_station, text));
+  made->looked = options->tle != NULL || options->one_station != NULL;
   if (!made->looked) return UM_OK;
   if (!isnan(from)) { /* elements are judged by their age at the start */
     made->window = (struct um_app_new_window){.start = floor(from), .stop = floor(from) + 60.0};
@@ -211,10 +211,6 @@ int um_app_new(struct um_context *context, const struct um_app_options *options)
   struct made made = {0};
   char *path = NULL, *text = NULL;
   const char *name;
-  if (options->nstation > 1) {
-    fputs("umbra: one --station is accepted here\n", stderr);
-    return UM_APP_MISUSE;
-  }
   UM_CHECK(um_core_strdup(context, options->positional[0], &path));
   UM_CHECK(check_name(context, path, &name));
   UM_CHECK(read_template(context, &text));

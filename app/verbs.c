@@ -189,9 +189,21 @@ static const struct um_app_verb verbs[] = {
      "the period of measured light curves by Lomb-Scargle, and the curves folded at it",
      .accepts = "band out " RESULTS, .examples = "umbra period measured.csv --band vis\n",
      .run = um_app_period},
-    {"import", "TRACK.txt", "tracks of Mini-MegaTORTORA as a measurement file", .needs = "file",
-     .accepts = "track-noise force",
-     .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import},
+    {"import", "TABLE", "light curves and temperatures of any table as a measurement file",
+     .needs = "file",
+     .accepts = "column-time column-magnitude column-flux column-counts column-temperature "
+                "column-band column-of column-system column-unit column-sigma column-flag "
+                "column-exposure column-track like format track-noise force",
+     .about = "TABLE has a header of any names, and fields parted by commas, semicolons, tabs or "
+              "blanks; options say which column is what, and the file written remembers them for "
+              "--like. Without options, a guess of them is printed. Tracks of Mini-MegaTORTORA are "
+              "read without options, too.",
+     .examples = "umbra import lc.csv --time UTC --magnitude V --sigma Verr -o measured.csv\n"
+                 "umbra import tomorrow.csv --like measured.csv -o tomorrow-measured.csv\n"
+                 "umbra import telemetry.csv --time t --temperature T_panel_C --of panel.front -o "
+                 "panel.csv\n"
+                 "umbra import track.txt -o measured.csv --noise 0.02\n",
+     .run = um_app_import},
     {"materials", "[MATERIAL]", "materials with their integrated properties",
      .accepts = "from-brdf half-angle from-profile from-reflectance reference angle json",
      .about = "With --from-brdf a fit of measured BRDFs, by kind of lobe, with its error; with "

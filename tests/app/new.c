@@ -138,7 +138,6 @@ static void test_refusals(void **state)
   };
   failures_expect(failures, sizeof failures / sizeof failures[0]);
   command_expect(2, "new", NULL);
-  command_expect(2, "new", "x", "--station", "a,1,2,3", "--station", "b,1,2,3", NULL);
 }
 
 int main(void)
