@@ -29,6 +29,8 @@ static const char *offer(enum um_app_offers offers)
     return "_umbra_words \"$sections\"";
   case UM_APP_SHELLS:
     return "_umbra_words \"bash zsh\"";
+  case UM_APP_EXPORTS:
+    return "_umbra_words \"$exports\"";
   case UM_APP_VERBS:
     return "_umbra_words \"$verbs\"";
   }
@@ -48,6 +50,9 @@ static void put_names(FILE *file, const struct names *names)
   fputs("  local verbs=\"", file);
   for (size_t i = 0; i < um_app_verb_count(); i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", um_app_verb_at(i)->name);
+  fputs("\"\n  local exports=\"", file);
+  for (size_t i = 0; um_app_export_name(i) != NULL; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_app_export_name(i));
   fputs("\"\n  local effects=\"", file);
   for (size_t i = 0; umbra_effect_at(umbra, i) != NULL; i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", umbra_effect_at(umbra, i)->name);

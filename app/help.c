@@ -104,6 +104,7 @@ static void help_arguments(FILE *file, const struct um_app_verb *verb, bool page
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
       [UM_APP_SECTIONS] = "path of a key or section; without it all of the reference",
       [UM_APP_SHELLS] = "bash or zsh",
+      [UM_APP_EXPORTS] = "a kind of export",
       [UM_APP_VERBS] = "a command; without it all are listed"};
   const char *list = verb->arguments;
   char name[32];
@@ -142,6 +143,10 @@ static void page_of(FILE *file, const struct um_app_verb *verb, bool page)
   help_options(file, verb->needs, true);
   help_options(file, verb->accepts, false);
   if (!page) help_options(file, "threads help", false);
+  if (verb->list != NULL) {
+    heading(file, verb->listed, verb, page);
+    verb->list(file);
+  }
   help_examples(file, verb, page);
 }
 

@@ -30,12 +30,18 @@ static const struct um_app_verb verbs[] = {
               "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
               "picture. Exit status 4 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases},
-    {"exchange", "SCENARIO", "view factors and radiative couplings of its surfaces, as tables",
+    {"export", "SCENARIO", "meshes, orbits, couplings of a scenario for other programs",
+     .needs = "as target", .accepts = CHANGES " force json",
+     .about = "The environment variable UMBRA_CACHE names a folder where view factors are kept "
+              "between runs.",
+     .examples =
+         "umbra export scenarios/envisat-graz-2016 --as mesh -o envisat.obj\n"
+         "umbra export scenarios/envisat-graz-2016 --as trajectory -o out/envisat-trajectory\n"
+         "umbra export scenarios/envisat-graz-2016 --as exchange -o out/factors\n",
+     .listed = "Kinds", .list = um_app_export_list, .run = um_app_export},
+    {"exchange", "SCENARIO", "old name of export --as exchange, which goes until 0.6",
      .accepts = "out " CHANGES " force json",
-     .about = "outside.csv and inside-PART.csv, which thermal.view_factors takes in again, and "
-              "couplings.csv, total exchange areas for other programs. The environment variable "
-              "UMBRA_CACHE names a folder where view factors are kept between runs.",
-     .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
+     .examples = "umbra export scenarios/envisat-graz-2016 --as exchange -o out/factors\n",
      .run = um_app_exchange},
     {"check", "SCENARIO", "read a scenario and report what was understood",
      .accepts = CHANGES " json",

@@ -43,7 +43,7 @@ static void test_json(void **state)
 {
   (void)state;
   static const struct {
-    const char *argument[8], *holds;
+    const char *argument[12], *holds;
   } cases[] = {
       {{"check", "box.yaml", "--json"}, "\"area_m2\": 6,"},
       {{"passes", "box.yaml", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
@@ -59,7 +59,8 @@ static void test_json(void **state)
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
        "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
-      {{"exchange", "box.yaml", "--set", "parts.bus.inside_emittance=0.8", "--json"},
+      {{"export", "box.yaml", "--as", "exchange", "-o", "factors", "--set",
+        "parts.bus.inside_emittance=0.8", "--json"},
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
   };
   command_copy_data("box.yaml");
@@ -330,7 +331,8 @@ static void test_exchange(void **state)
   static const char *const inside = "parts.bus.inside_emittance=0.8";
   static const char *const taken = "thermal.view_factors=factors";
   command_copy_data("box.yaml");
-  command_expect(0, "exchange", "box.yaml", "--out", "factors", "--set", inside, NULL);
+  command_expect(0, "export", "box.yaml", "--as", "exchange", "--out", "factors", "--set", inside,
+                 NULL);
   assert_true(command_exists("factors/outside.csv") && command_exists("factors/inside-bus.csv"));
   char *table = command_read("factors/couplings.csv");
   assert_non_null(strstr(table, "\n0,0,1,"));
