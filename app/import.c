@@ -95,7 +95,7 @@ static const char *form_text(enum um_orbit_time_form form)
 static void print_table(const char *out, const struct um_compare_measurements *m,
                         const struct um_compare_imported *found)
 {
-  printf("%s: %zu rows of %s %s, times read as %s", out, m->count,
+  printf("%s: %zu row%s of %s %s, times read as %s", out, m->count, m->count == 1 ? "" : "s",
          um_compare_quantity_name(m->channel[0].quantity), m->channel[0].of,
          form_text(found->form));
   if (found->sorted) printf(", put in their order");

@@ -194,8 +194,8 @@ static void print_made(const char *path, const struct made *made)
            path);
   if (made->looked && made->window.seen) {
     um_orbit_time_format(made->window.start, start);
-    printf("seen from %s on, up to %.0f deg high, %s sky%s\n", start, made->window.highest / UM_DEG,
-           made->window.dark ? "dark" : "bright",
+    printf("its pass begins at %s: up to %.0f deg high, %s sky%s\n", start,
+           made->window.highest / UM_DEG, made->window.dark ? "dark" : "bright",
            made->window.edge ? ", across the edge of the shadow" : "");
   }
   printf("next:\n  umbra check %s   what was understood: parts, areas, materials\n"

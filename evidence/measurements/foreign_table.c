@@ -82,12 +82,13 @@ static bool is_datum(struct line field)
   return true;
 }
 
-/* Fields of a line; *names: those that look like names. */
-static size_t count_fields(struct line line, char separator, size_t *names)
+/* Fields of a line; *data: those that hold something and look like no name. */
+static size_t count_fields(struct line line, char separator, size_t *data)
 {
   struct line field;
   size_t n = 0;
-  for (*names = 0; field_next(&line, separator, &field); n++) *names += !is_datum(field);
+  for (*data = 0; field_next(&line, separator, &field); n++)
+    *data += field.length > 0 && is_datum(field);
   return n;
 }
 
@@ -105,11 +106,20 @@ static struct line without_mark(struct line line)
   return trimmed(line);
 }
 
+/* Is a line of comment the names of `n` fields? Its own may be parted by blanks. */
+static bool is_header(struct line comment, char separator, size_t n)
+{
+  size_t data;
+  if (comment.length == 0) return false;
+  if (count_fields(comment, separator, &data) == n && data == 0) return true;
+  return count_fields(comment, BLANK, &data) == n && data == 0;
+}
+
 static enum um_status find_head(struct um_context *context, const char *path, const char *text,
                                 struct head *head)
 {
   struct line line, comment = {NULL, 0};
-  size_t number = 0, above = 0, named;
+  size_t number = 0, above = 0, data;
   for (const char *at = text; line_next(&at, &line); number++) {
     struct line bare = trimmed(line);
     if (bare.length == 0) continue;
@@ -118,18 +128,16 @@ static enum um_status find_head(struct um_context *context, const char *path, co
       above = number;
       continue;
     }
-    head->separator = separator_of(line);
-    size_t n = count_fields(line, head->separator, &named);
-    *head = (struct head){number, false, head->separator};
-    if (named > 0) return UM_OK;
-    size_t names = comment.length == 0 ? 0 : count_fields(comment, head->separator, &named);
-    if (names != n && comment.length > 0) names = count_fields(comment, BLANK, &named);
-    if (names != n || named == 0)
+    char separator = separator_of(line);
+    size_t n = count_fields(line, separator, &data);
+    *head = (struct head){number, false, separator};
+    if (data == 0) return UM_OK;
+    if (!is_header(comment, separator, n))
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s:%zu: numbers where the names of the columns should stand; accepted: "
                           "a first line of names, as '# time mag error'",
                           path, number + 1);
-    *head = (struct head){above, true, head->separator};
+    *head = (struct head){above, true, separator};
     return UM_OK;
   }
   return um_core_fail(context, UM_ERR_INPUT, "%s: empty; accepted: a table with a header", path);
@@ -183,8 +191,8 @@ static enum um_status convert(struct page *page, const char *text, const struct 
     if (head->comment && number == head->line) {
       struct line names = without_mark(line);
       char separator = head->separator;
-      size_t named;
-      if (count_fields(names, separator, &named) == 1) separator = BLANK;
+      size_t data;
+      if (count_fields(names, separator, &data) == 1) separator = BLANK;
       UM_TRY(put_line(page, names, separator));
     } else if (!comment) {
       UM_TRY(put_line(page, line, head->separator));

@@ -100,22 +100,28 @@ static void guess_value(const struct um_core_csv *csv, struct guess *g)
   }
 }
 
+/* One character, where there is room for it and the end. */
+static void put_character(char *line, size_t size, char c)
+{
+  size_t n = strlen(line);
+  if (n + 2 > size) return;
+  line[n] = c;
+  line[n + 1] = '\0';
+}
+
 /* One word of a command line, in quotes where a shell would part it. */
 static void put_word(char *line, size_t size, const char *word)
 {
-  size_t n = strlen(line);
   bool plain = *word != '\0';
   for (const char *c = word; *c != '\0'; c++)
     plain = plain && (isalnum((unsigned char)*c) || strchr("._/+-=:,@", *c) != NULL);
-  n += (size_t)snprintf(line + n, size - n, "%s", plain ? "" : "'");
-  for (const char *c = word; *c != '\0' && n + 6 < size; c++) {
-    if (*c == '\'')
-      n += (size_t)snprintf(line + n, size - n, "'\\''");
-    else
-      line[n++] = *c;
+  if (!plain) put_character(line, size, '\'');
+  for (const char *c = word; *c != '\0'; c++) {
+    for (const char *quote = "'\\'"; *c == '\'' && *quote != '\0'; quote++)
+      put_character(line, size, *quote); /* ' becomes '\'' */
+    put_character(line, size, *c);
   }
-  line[n] = '\0';
-  if (!plain) snprintf(line + n, size - n, "'");
+  if (!plain) put_character(line, size, '\'');
 }
 
 static void put(char *line, size_t size, const char *option, const char *word)

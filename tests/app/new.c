@@ -97,8 +97,9 @@ static void test_elements(void **state)
   struct command c = command_run("new", "a/envisat/", "--tle", "envisat.tle", "--station",
                                  "Zimmerwald, CH,46.877,7.465,951", NULL);
   assert_int_equal(c.code, 0);
-  expect_in(c.out, "seen from 2016-09-06T19:48:29.000Z on, up to 89 deg high, dark sky, across the "
-                   "edge of the shadow");
+  expect_in(c.out,
+            "its pass begins at 2016-09-06T19:48:29.000Z: up to 89 deg high, dark sky, across the "
+            "edge of the shadow");
   command_release(&c);
   char *text = command_read("a/envisat/scenario.yaml");
   expect_in(text, "\n  tle_file: elements.tle\n");

@@ -37,6 +37,9 @@ static void test_forms(void **state)
       {"# telescope A\n# UTC V Verr\n 1474490066.4   7.5 0.05\n 1474489980 7.25 -\n"
        "1474490040 null 1\n",
        "UTC", UM_ORBIT_TIME_UNIX},
+      {"# UTC V Verr filter\n1474490066.4 7.5 0.05 clear\n1474489980 7.25 - red\n1474490040 - 1 "
+       "x\n",
+       "UTC", UM_ORBIT_TIME_UNIX},
       {"# UTC V Verr\n1474490066.4,7.5,0.05\n1474489980,7.25,\n1474490040,,1\n", "UTC",
        UM_ORBIT_TIME_UNIX},
       {"\xef\xbb\xbfnight clock V Verr\n2016-09-21 20:34:26.4 7.5 0.05\n2016-09-21 20:33:00 7.25 "
