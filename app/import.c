@@ -92,6 +92,17 @@ static const char *form_text(enum um_orbit_time_form form)
   return "";
 }
 
+static void print_json(const char *out, const struct um_compare_measurements *m, const char *times,
+                       bool sorted, size_t empty)
+{
+  um_core_json_text(stdout, "{", "file", out);
+  printf(", \"rows\": %zu, \"tracks\": %zu", m->count, m->ntrack);
+  um_core_json_text(stdout, ", ", "quantity", um_compare_quantity_name(m->channel[0].quantity));
+  um_core_json_text(stdout, ", ", "of", m->channel[0].of);
+  um_core_json_text(stdout, ", ", "times", times);
+  printf(", \"put_in_order\": %s, \"without_value\": %zu}\n", sorted ? "true" : "false", empty);
+}
+
 static void print_table(const char *out, const struct um_compare_measurements *m,
                         const struct um_compare_imported *found)
 {
@@ -129,7 +140,10 @@ static enum um_status import_table(struct um_context *context, const struct um_a
   UM_CHECK(um_core_asprintf(context, &note, UM_COMPARE_IMPORT_MARK "%s", map));
   UM_CHECK(um_compare_measurements_write_noted(context, m, note, options->out));
   um_app_terminal_clear();
-  print_table(options->out, m, &found);
+  if (options->json)
+    print_json(options->out, m, form_text(found.form), found.sorted, found.empty);
+  else
+    print_table(options->out, m, &found);
 done:
   um_compare_measurements_destroy(context, &m);
   UM_FREE(context, map, note);
@@ -145,9 +159,12 @@ static enum um_status import_track(struct um_context *context, const struct um_a
   UM_CHECK(fill_noise(context, options, noise, m));
   UM_CHECK(um_compare_measurements_write(context, m, options->out));
   um_app_terminal_clear();
-  printf("%s: %zu observations, %zu tracks%s\n", options->out, m->count, m->ntrack,
-         options->noise == NULL ? ", without sigma: --noise or the scenario's noise gives one"
-                                : "");
+  if (options->json)
+    print_json(options->out, m, form_text(UM_ORBIT_TIME_ISO), false, 0);
+  else
+    printf("%s: %zu observations, %zu tracks%s\n", options->out, m->count, m->ntrack,
+           options->noise == NULL ? ", without sigma: --noise or the scenario's noise gives one"
+                                  : "");
 done:
   um_compare_measurements_destroy(context, &m);
   return status;

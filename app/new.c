@@ -203,6 +203,17 @@ static void print_made(const char *path, const struct made *made)
          path, path);
 }
 
+static void print_json(const char *path, const struct um_model *model)
+{
+  char start[32], stop[32];
+  um_orbit_time_format(model->scenario->time->start, start);
+  um_orbit_time_format(model->scenario->time->stop, stop);
+  um_core_json_text(stdout, "{", "folder", path);
+  um_core_json_text(stdout, ", ", "name", model->scenario->name);
+  printf(", \"parts\": %zu, \"start_utc\": \"%s\", \"stop_utc\": \"%s\"}\n",
+         um_geometry_part_count(model->geometry), start, stop);
+}
+
 int um_app_new(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -223,7 +234,10 @@ int um_app_new(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_model_create(context, um_core_folder_path(folder), NULL, &model));
   UM_CHECK(um_core_folder_give(context, &folder));
   um_app_terminal_clear();
-  print_made(path, &made);
+  if (options->json)
+    print_json(path, model);
+  else
+    print_made(path, &made);
 done:
   um_model_destroy(context, &model);
   um_core_folder_abort(&folder);

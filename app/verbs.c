@@ -9,7 +9,7 @@
 
 static const struct um_app_verb verbs[] = {
     {"new", "NAME", "a folder with a commented scenario to begin with",
-     .accepts = "from-mesh tle one-station",
+     .accepts = "from-mesh tle one-station json",
      .about = "A 3U CubeSat that leaves the Earth's shadow over a telescope, ready to run; with "
               "--from the parts are those of a mesh, with --tle the orbit is that of a satellite. "
               "NAME must not exist. docs/obj.md says how meshes are read.",
@@ -199,7 +199,7 @@ static const struct um_app_verb verbs[] = {
      .needs = "file",
      .accepts = "column-time column-magnitude column-flux column-counts column-temperature "
                 "column-band column-of column-system column-unit column-sigma column-flag "
-                "column-exposure column-track like format track-noise force",
+                "column-exposure column-track like format track-noise force json",
      .about = "TABLE has a header of any names, and fields parted by commas, semicolons, tabs or "
               "blanks; options say which column is what, and the file written remembers them for "
               "--like. Without options, a guess of them is printed. Tracks of Mini-MegaTORTORA are "

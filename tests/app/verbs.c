@@ -59,12 +59,21 @@ static void test_json(void **state)
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
        "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
+      {{"export", "box.yaml", "--as", "mesh", "-o", "box.obj", "--json"}, "\"facets\": 12,"},
+      {{"export", "box.yaml", "--as", "trajectory", "-o", "t", "--json"}, "\"step_s\": 5"},
+      {{"new", "mine", "--from", "box.obj", "--json"},
+       "\"folder\": \"mine\", \"name\": \"mine\", \"parts\": 1, \"start_utc\": \"2026-"},
+      {{"import", "lc.csv", "--time", "t", "--magnitude", "V", "-o", "lc-measured.csv", "--json"},
+       "\"quantity\": \"magnitude_vega\", \"of\": \"V\", \"times\": \"UTC\", "
+       "\"put_in_order\": true, \"without_value\": 1}"},
       {{"export", "box.yaml", "--as", "exchange", "-o", "factors", "--set",
         "parts.bus.inside_emittance=0.8", "--json"},
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
   };
   command_copy_data("box.yaml");
   command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n1.1,1.2\n");
+  command_write("lc.csv", "t,V\n2016-09-06T18:10:00Z,7\n2016-09-06T18:09:00Z,8\n"
+                          "2016-09-06T18:11:00Z,\n");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
     expect_json(cases[i].argument, cases[i].holds);
 }
