@@ -50,6 +50,7 @@ expect "roughness|" umbra fit s m --add rough
 expect "minislr|" umbra sensors mi
 expect "mli_kapton|mli_kapton_ito|" umbra materials mli_k
 expect "orbit.circular.altitude_km|" umbra schema orbit.circular.alt
+expect "exchange|mesh|trajectory|" umbra export x --as ""
 expect "bash|zsh|" umbra completion ""
 expect "a b/|out/|scenarios/|" umbra run ""
 expect "scenarios/one.yaml|" umbra run scenarios/
