@@ -29,8 +29,8 @@ static int export_mesh(struct um_context *context, const struct um_app_options *
     printf(", \"parts\": %zu, \"facets\": %zu, \"vertices\": %zu}\n",
            um_geometry_part_count(model->geometry), mesh->nfacet, mesh->nvertex);
   } else {
-    printf("%s: %zu triangles of %zu part%s\n", options->out, mesh->nfacet,
-           um_geometry_part_count(model->geometry),
+    printf("%s: %zu triangle%s of %zu part%s\n", options->out, mesh->nfacet,
+           mesh->nfacet == 1 ? "" : "s", um_geometry_part_count(model->geometry),
            um_geometry_part_count(model->geometry) == 1 ? "" : "s");
   }
 done:
