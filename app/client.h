@@ -92,7 +92,14 @@ struct um_app_options {
   const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
   const char **station, **uncertain;    /* and --uncertain */
   size_t nstation, nuncertain;
-  char *command; /* the command as typed */
+  /* of import: --time and so on, columns of a table and words about them */
+  const char *column_time, *column_magnitude, *column_flux, *column_counts, *column_temperature;
+  const char *column_sigma, *column_flag, *column_exposure, *column_track;
+  const char *column_band, *column_of, *column_system, *column_unit;
+  const char *like, *format;                 /* of import */
+  const char *as;                            /* of export: --as */
+  const char *from_mesh, *tle, *one_station; /* of new: --from, --tle, --station */
+  char *command;                             /* the command as typed */
 };
 
 /* What an option takes and where it goes. */
@@ -124,6 +131,7 @@ enum um_app_offers {
   UM_APP_SHIPPED, /* scenarios that come with the program */
   UM_APP_THINGS,  /* what umbra list lists */
   UM_APP_ONE,     /* the name of one of these */
+  UM_APP_EXPORTS, /* kinds of export */
   UM_APP_VERBS
 };
 
@@ -168,6 +176,8 @@ struct um_app_verb {
   const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
   const char *about;           /* what help adds; NULL: nothing */
   const char *examples;        /* a line each */
+  const char *listed;          /* heading of a list behind the options; NULL: there is none */
+  void (*list)(FILE *file);    /* prints it */
   um_app_command *run;
   enum um_app_group group;
 };
@@ -226,10 +236,14 @@ int um_app_session_fail(const struct umbra *umbra);
 void um_app_effect_page(FILE *file, const struct umbra_effect *effect);
 void um_app_effect_manual(FILE *file, const struct umbra *umbra);
 
+/* Kinds of umbra export: the name of one, NULL behind the last; a line on each. */
+const char *um_app_export_name(size_t index);
+void um_app_export_list(FILE *file);
+
 /* The commands. */
-um_app_command um_app_run, um_app_list, um_app_scenarios, um_app_material, um_app_study,
-    um_app_cases, um_app_exchange, um_app_check, um_app_forecast, um_app_filters, um_app_retrieve,
-    um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
+um_app_command um_app_new, um_app_export, um_app_run, um_app_list, um_app_scenarios,
+    um_app_material, um_app_study, um_app_cases, um_app_check, um_app_forecast, um_app_filters,
+    um_app_retrieve, um_app_photometry, um_app_calibrate, um_app_sensors, um_app_materials_profile,
     um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
     um_app_render, um_app_render_picture, um_app_frame, um_app_expand, um_app_attitude, um_app_map,
     um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity,

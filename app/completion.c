@@ -39,6 +39,8 @@ static const char *offer(enum um_app_offers offers)
     return "_umbra_words \"$things\"";
   case UM_APP_ONE:
     return "_umbra_one \"$first\"";
+  case UM_APP_EXPORTS:
+    return "_umbra_words \"$exports\"";
   case UM_APP_VERBS:
     return "_umbra_words \"$verbs\"";
   }
@@ -59,6 +61,9 @@ static void put_names(FILE *file, const struct names *names)
   fputs("  local verbs=\"", file);
   for (size_t i = 0; i < um_app_verb_count(); i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", um_app_verb_at(i)->name);
+  fputs("\"\n  local exports=\"", file);
+  for (size_t i = 0; um_app_export_name(i) != NULL; i++)
+    fprintf(file, "%s%s", i > 0 ? " " : "", um_app_export_name(i));
   fputs("\"\n  local effects=\"", file);
   for (size_t i = 0; umbra_effect_at(umbra, i) != NULL; i++)
     fprintf(file, "%s%s", i > 0 ? " " : "", umbra_effect_at(umbra, i)->name);

@@ -7,6 +7,7 @@
 #include "app/app.h"
 #include "app/batch.h"
 #include "app/forecast.h"
+#include "app/station.h"
 #include "app/terminal.h"
 #include "base/batch/batch.h"
 #include "base/core/constants.h"
@@ -25,36 +26,6 @@ static bool number(const char *text, double *out, const char **behind)
   *out = strtod(text, &end);
   *behind = end;
   return end != text && isfinite(*out);
-}
-
-/* "NAME,LATITUDE,LONGITUDE,HEIGHT", numbers from behind: a name may hold commas. *name is the
- * caller's to free. */
-static enum um_status parse_station(struct um_context *context, const char *text,
-                                    struct um_forecast_station *out)
-{
-  double value[3] = {NAN, NAN, NAN};
-  const char *behind, *at = text + strlen(text);
-  char *name;
-  UM_TRY(um_core_strdup(context, text, &name));
-  out->name = name;
-  bool good = true;
-  for (int i = 2; i >= 0 && good; i--) {
-    const char *end = at;
-    while (at > text && *--at != ',') continue;
-    good = at > text && number(at + 1, &value[i], &behind) && behind == end;
-  }
-  name[good ? at - text : 0] = '\0';
-  if (!good || !um_core_name_is_safe(name) || name[0] == '\0' || fabs(value[0]) > 90.0 ||
-      fabs(value[1]) > 360.0 || !(value[2] > -1000.0 && value[2] < 1e5))
-    return um_core_fail(
-        context, UM_ERR_INPUT,
-        "--station '%s': accepted: NAME,LATITUDE,LONGITUDE,HEIGHT in degrees (north "
-        "and east) and metres, e.g. --station Graz,47.067,15.493,495",
-        text);
-  out->latitude = value[0] * UM_DEG;
-  out->longitude = value[1] * UM_DEG;
-  out->height = value[2];
-  return UM_OK;
 }
 
 static enum um_status parse_range(struct um_context *context, const char *option, const char *text,
@@ -84,7 +55,7 @@ static enum um_status parse(struct um_context *context, const struct um_app_opti
                      &ask->minimum_elevation));
   ask->minimum_elevation *= UM_DEG;
   for (; ask->nstation < options->nstation; ask->nstation++)
-    UM_TRY(parse_station(context, options->station[ask->nstation], &station[ask->nstation]));
+    UM_TRY(um_app_station_parse(context, options->station[ask->nstation], &station[ask->nstation]));
   return UM_OK;
 }
 

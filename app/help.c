@@ -109,12 +109,13 @@ static void things_text(char out[UM_APP_HELP_TEXT])
 void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
 {
   static const char *const meaning[] = {
+      [UM_APP_NOTHING] = "a name that is not taken yet",
       [UM_APP_SCENARIOS] = "a folder with scenario.yaml, or such a file",
       [UM_APP_VIEWS] = "a folder with scenario.yaml, such a file, or a picture in .nc",
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_RESULTS] = "a folder of results with report.html, or such a file; up to 8",
-      [UM_APP_FILES] = "a file: a track as the survey gives it, frames in FITS",
+      [UM_APP_FILES] = "a file: a table of any header, a track of a survey, frames in FITS",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
       [UM_APP_SENSORS] = "name of a sensor; without it all are listed",
@@ -122,6 +123,7 @@ void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
       [UM_APP_SHELLS] = "bash or zsh",
       [UM_APP_THINGS] = NULL, /* what the table has */
       [UM_APP_ONE] = "name of one, or the path of a key; without it all are listed",
+      [UM_APP_EXPORTS] = "a kind of export",
       [UM_APP_VERBS] = "a command; without it all are listed"};
   enum um_app_offers offers = um_app_argument_offers(name);
   if (offers == UM_APP_THINGS)
@@ -174,6 +176,10 @@ void um_app_help_verb(FILE *file, const struct um_app_verb *verb)
   help_options(file, verb->needs, true);
   help_options(file, verb->accepts, false);
   help_options(file, "threads help", false);
+  if (verb->list != NULL) {
+    fprintf(file, "\n%s:\n", verb->listed);
+    verb->list(file);
+  }
   help_examples(file, verb);
   fputs("\nExit status:\n" EXIT_STATUS, file);
 }
@@ -189,8 +195,9 @@ static void title(FILE *file)
 static const struct {
   const char *command, *does;
 } path[] = {
-    {"umbra check SCENARIO", "see what was understood"},
-    {"umbra run SCENARIO", "light curves, temperatures, pictures"},
+    {"umbra new NAME", "a scenario to begin with"},
+    {"umbra check NAME --view", "the satellite, before anything is solved"},
+    {"umbra run NAME", "light curves, temperatures, a page to look at"},
     {"umbra compare SCENARIO MEASURED", "how far measurements are off"},
     {"umbra diagnose SCENARIO MEASURED", "which effect is missing"},
 };

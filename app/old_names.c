@@ -17,6 +17,7 @@ static struct um_app_old_name table[] = {
     {"frame", "render", "", NULL},
     {"expand", "render", "", NULL},
     {"passes", "forecast", "--times", NULL},
+    {"exchange", "export", "--as=exchange", NULL},
 };
 
 struct um_app_old_name *um_app_old_name_find(const char *name, int n, char *const *arguments)

@@ -8,6 +8,15 @@
 #define RESULTS "force no-plots json"
 
 static const struct um_app_verb verbs[] = {
+    {"new", "NAME", "a folder with a commented scenario to begin with",
+     .accepts = "from-mesh tle one-station json",
+     .about = "A 3U CubeSat that leaves the Earth's shadow over a telescope, ready to run; with "
+              "--from the parts are those of a mesh, with --tle the orbit is that of a satellite. "
+              "NAME must not exist. docs/obj.md says how meshes are read.",
+     .examples = "umbra new mine\n"
+                 "umbra new mine --from satellite.obj --tle satellite.tle --station "
+                 "Graz,47.067,15.493,495\n",
+     .run = um_app_new, .group = UM_APP_SIMULATE},
     {"run", "SCENARIO", "light curves and temperatures of a scenario",
      .accepts = "out " CHANGES " picture " RESULTS,
      .about = "Computes the geometry, the heat and the light of every instant and writes tables, "
@@ -28,13 +37,15 @@ static const struct um_app_verb verbs[] = {
               "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
               "picture. Exit status 4 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases, .group = UM_APP_SIMULATE},
-    {"exchange", "SCENARIO", "view factors and radiative couplings, as tables",
-     .accepts = "out " CHANGES " force json",
-     .about = "outside.csv and inside-PART.csv, which thermal.view_factors takes in again, and "
-              "couplings.csv, total exchange areas for other programs. The environment variable "
-              "UMBRA_CACHE names a folder where view factors are kept between runs.",
-     .examples = "umbra exchange scenarios/envisat-graz-2016 --out out/factors\n",
-     .run = um_app_exchange, .group = UM_APP_SIMULATE},
+    {"export", "SCENARIO", "meshes, orbits, couplings of a scenario for other programs",
+     .needs = "as", .accepts = "target " CHANGES " force json",
+     .about = "The environment variable UMBRA_CACHE names a folder where view factors are kept "
+              "between runs.",
+     .examples =
+         "umbra export scenarios/envisat-graz-2016 --as mesh -o envisat.obj\n"
+         "umbra export scenarios/envisat-graz-2016 --as trajectory -o out/envisat-trajectory\n"
+         "umbra export scenarios/envisat-graz-2016 --as exchange -o out/factors\n",
+     .listed = "Kinds", .list = um_app_export_list, .run = um_app_export, .group = UM_APP_SIMULATE},
     {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
      .accepts = "times out days from station minimum-elevation uncertain " CHANGES
                 " workers share resume " RESULTS,
@@ -194,10 +205,21 @@ static const struct um_app_verb verbs[] = {
      .about = "By Lomb-Scargle, and the curves folded at the best.", .accepts = "band out " RESULTS,
      .examples = "umbra period measured.csv --band vis\n", .run = um_app_period,
      .group = UM_APP_COMPARE},
-    {"import", "TRACK.txt", "tracks of Mini-MegaTORTORA as a measurement file", .needs = "file",
-     .accepts = "track-noise force",
-     .examples = "umbra import track.txt -o measured.csv --noise 0.02\n", .run = um_app_import,
-     .group = UM_APP_OBSERVE},
+    {"import", "TABLE", "light curves and temperatures of any table as a measurement file",
+     .needs = "file",
+     .accepts = "column-time column-magnitude column-flux column-counts column-temperature "
+                "column-band column-of column-system column-unit column-sigma column-flag "
+                "column-exposure column-track like format track-noise force json",
+     .about = "TABLE has a header of any names, and fields parted by commas, semicolons, tabs or "
+              "blanks; options say which column is what, and the file written remembers them for "
+              "--like. Without options, a guess of them is printed. Tracks of Mini-MegaTORTORA are "
+              "read without options, too.",
+     .examples = "umbra import lc.csv --time UTC --magnitude V --sigma Verr -o measured.csv\n"
+                 "umbra import tomorrow.csv --like measured.csv -o tomorrow-measured.csv\n"
+                 "umbra import telemetry.csv --time t --temperature T_panel_C --of panel.front -o "
+                 "panel.csv\n"
+                 "umbra import track.txt -o measured.csv --noise 0.02\n",
+     .run = um_app_import, .group = UM_APP_OBSERVE},
     {"list", "WHAT [ITEM]", "materials, filters, sensors, effects, keys or scenarios",
      .accepts = "effect-file json",
      .about = "What comes with the program, or with effects of your own. With ITEM the "

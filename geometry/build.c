@@ -175,8 +175,11 @@ static enum um_status build_patch(const struct um_geometry_part_spec *spec,
 {
   if (spec->shape == UM_SHAPE_MESH) {
     patch->source = spec->mesh_path;
-    UM_TRY(um_geometry_obj_read(patch, spec->mesh_path,
-                                spec->mesh_scale == 0.0 ? 1.0 : spec->mesh_scale));
+    const struct um_geometry_obj_wish wish = {.scale =
+                                                  spec->mesh_scale == 0.0 ? 1.0 : spec->mesh_scale,
+                                              .groups = spec->mesh_groups,
+                                              .ngroup = spec->nmesh_group};
+    UM_TRY(um_geometry_obj_read(patch, spec->mesh_path, &wish));
   } else {
     UM_TRY(um_geometry_primitive_build(spec, patch));
   }

@@ -41,7 +41,9 @@ struct um_geometry_part_spec {
   double size[3];                                  /* [m] */
   double radius, radius_top, height, focal_length; /* [m] */
   const char *mesh_path;
-  double mesh_scale;       /* metres per file unit; 0 means 1 [m] */
+  double mesh_scale;              /* metres per file unit; 0 means 1 [m] */
+  const char *const *mesh_groups; /* [nmesh_group] of the file, these alone; none: all */
+  size_t nmesh_group;
   const char *parent;      /* NULL: the body frame */
   struct um_vec3 position; /* of the part's origin in the parent's frame [m] */
   struct um_quat rotation; /* parent frame to part frame, passive; all zero: not turned */

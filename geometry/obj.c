@@ -24,6 +24,10 @@ struct reader {
   const char *path;
   int line;
   double scale;
+  const struct um_geometry_obj_wish *wish;
+  bool *found;                /* [wish->ngroup] has the file faces of it? */
+  char others[400];           /* groups of the file that are not wished, for a message */
+  const char *other;          /* the last of them */
   const char *g, *usemtl, *o; /* names in force, or NULL */
   /* faces are kept until all vertices are known: an index may point forward */
   int64_t *index; /* all faces one after the other, 0-based */
@@ -89,6 +93,36 @@ static enum um_status read_index(struct reader *r, const char *token, int64_t *i
   return UM_OK;
 }
 
+/* Is a face of this group taken? All are where none is wished. */
+static bool is_wished(struct reader *r, const char *group)
+{
+  const struct um_geometry_obj_wish *wish = r->wish;
+  bool wished = wish->ngroup == 0;
+  for (size_t i = 0; i < wish->ngroup; i++) {
+    if (strcmp(wish->groups[i], group) != 0) continue;
+    wished = r->found[i] = true;
+  }
+  if (!wished && (r->other == NULL || strcmp(r->other, group) != 0)) {
+    um_core_words_append(r->others, sizeof r->others, group);
+    r->other = group;
+  }
+  return wished;
+}
+
+/* The group and, where that is asked for, what material its first face names. */
+static enum um_status take_group(struct reader *r, const char *group, uint32_t *index)
+{
+  size_t n = r->patch->ngroup;
+  char ***usemtl = r->wish->usemtl;
+  if (usemtl != NULL && um_geometry_patch_group_find(r->patch, group) == UM_GEOMETRY_NONE) {
+    UM_TRY(um_core_reallocate(r->context, n + 1, sizeof **usemtl, usemtl));
+    (*usemtl)[n] = NULL;
+  }
+  UM_TRY(um_geometry_patch_group(r->patch, group, index));
+  if (usemtl == NULL || r->patch->ngroup == n || r->usemtl == NULL) return UM_OK;
+  return um_core_strdup(r->context, r->usemtl, &(*usemtl)[n]);
+}
+
 static enum um_status read_face(struct reader *r, char *rest)
 {
   if (r->nface == r->faces_capacity) {
@@ -120,7 +154,12 @@ static enum um_status read_face(struct reader *r, char *rest)
     return FAIL(r, "incomplete face with %zu corners; at least 3 are needed",
                 face->end - face->begin);
   const char *group = r->g != NULL ? r->g : r->usemtl != NULL ? r->usemtl : r->o;
-  UM_TRY(um_geometry_patch_group(r->patch, group != NULL ? group : "mesh", &face->group));
+  if (group == NULL) group = "mesh";
+  if (!is_wished(r, group)) {
+    r->nindex = face->begin;
+    return UM_OK;
+  }
+  UM_TRY(take_group(r, group, &face->group));
   r->nface++;
   return UM_OK;
 }
@@ -242,28 +281,44 @@ done:
   return status;
 }
 
-enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path, double scale)
+/* Every wished group has faces. */
+static enum um_status check_found(struct reader *r)
+{
+  for (size_t i = 0; i < r->wish->ngroup; i++)
+    if (!r->found[i])
+      return um_core_fail(r->context, UM_ERR_INPUT,
+                          "%s: no group '%.80s' with faces; the file has: %s", r->path,
+                          r->wish->groups[i], r->others);
+  return UM_OK;
+}
+
+enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path,
+                                    const struct um_geometry_obj_wish *wish)
 {
   enum um_status status;
   char *text = NULL;
   size_t length = 0;
-  struct reader r = {.context = patch->context, .patch = patch, .path = path, .scale = scale};
+  struct reader r = {
+      .context = patch->context, .patch = patch, .path = path, .scale = wish->scale, .wish = wish};
   UM_CHECK(um_core_file_read(r.context, path, MAX_FILE_BYTES, &text, &length));
+  UM_CHECK(um_geometry_foreign_refuse(r.context, path, text, length));
   const char *nul = memchr(text, '\0', length);
   if (nul != NULL) {
     int line = 1;
     for (const char *c = text; c < nul; c++) line += *c == '\n';
     UM_CHECK(fail_at(&r, line, "NUL byte: this is not a text file; an OBJ file is accepted"));
   }
+  UM_CHECK(um_core_allocate(r.context, wish->ngroup + 1, sizeof *r.found, &r.found));
   UM_CHECK(read_lines(&r, text, length));
-  if (r.nface == 0) {
+  if (r.nface == 0 && r.other == NULL) {
     status = um_core_fail(r.context, UM_ERR_INPUT,
                           "%s: no faces (%zu vertices): the file is empty or truncated", path,
                           patch->nvertex);
     goto done;
   }
+  UM_CHECK(check_found(&r));
   UM_CHECK(add_faces(&r));
 done:
-  UM_FREE(r.context, text, r.index, r.faces);
+  UM_FREE(r.context, text, r.index, r.faces, r.found);
   return status;
 }

@@ -60,9 +60,22 @@ enum um_status um_geometry_primitive_build(const struct um_geometry_part_spec *s
 enum um_status um_geometry_round_build(const struct um_geometry_part_spec *spec,
                                        struct um_geometry_patch *patch);
 
-/* Reads an OBJ file; positions are multiplied by `scale`. */
+/* What is wanted of an OBJ file. */
+struct um_geometry_obj_wish {
+  double scale;              /* metres per unit of the file [m] */
+  const char *const *groups; /* [ngroup] these groups alone; all where ngroup is 0 */
+  size_t ngroup;
+  char ***usemtl; /* NULL, or takes [patch->ngroup] the material that the first face of each group
+                     names, NULL where none does; grows with the groups, so that it is to be freed
+                     after a failure, too */
+};
+/* Reads an OBJ file. UM_ERR_INPUT with file and line; a wished group without faces. */
 enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path,
-                                    double scale);
+                                    const struct um_geometry_obj_wish *wish);
+/* UM_ERR_INPUT where the bytes are a mesh or a drawing of another format: names it, and how it
+ * becomes an OBJ. */
+enum um_status um_geometry_foreign_refuse(struct um_context *context, const char *path,
+                                          const char *bytes, size_t length);
 
 /* Bisect longest edges until none is longer than facet_size [m]; conforming. */
 enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *part,

@@ -129,6 +129,21 @@ bool um_orbit_time_form_parse(enum um_orbit_time_form form, const char *text, do
   return true;
 }
 
+#define RECOGNISED 1e8 /* POSIX seconds that are taken for a time: anything smaller is a number */
+
+bool um_orbit_time_form_recognise(const char *text, enum um_orbit_time_form *form)
+{
+  char why[256];
+  double t_tai, whole, fraction;
+  for (int f = UM_ORBIT_TIME_FORMS - 1; f >= 0; f--) { /* the narrowest first */
+    *form = (enum um_orbit_time_form)f;
+    if (!um_orbit_time_form_parse(*form, text, &t_tai, why, sizeof why)) continue;
+    if (*form != UM_ORBIT_TIME_UNIX) return true;
+    if (decimal_split(text, &whole, &fraction) && whole >= RECOGNISED) return true;
+  }
+  return false;
+}
+
 enum um_status um_orbit_time_form_find(struct um_context *context, const struct um_core_csv *csv,
                                        enum um_orbit_time_form *form, size_t *column)
 {

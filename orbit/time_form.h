@@ -22,6 +22,9 @@ const char *um_orbit_time_form_column(enum um_orbit_time_form form);
  * problem, with the text. The second 60 of a leap second has no POSIX time. */
 bool um_orbit_time_form_parse(enum um_orbit_time_form form, const char *text, double *t_tai,
                               char *why, size_t why_size);
+/* The form of a time whose column has a name of its own: ISO 8601, a Julian date, a modified one,
+ * or POSIX seconds from 1973-03 (1e8) on. False: it is none of these. Does not fail. */
+bool um_orbit_time_form_recognise(const char *text, enum um_orbit_time_form *form);
 /* POSIX seconds -> t_tai [s]; a double of them resolves 0.3 us. False where they lie outside of
  * 1960 to 2100, or are no number. */
 bool um_orbit_time_from_unix(double unix_s, double *t_tai);

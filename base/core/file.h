@@ -62,6 +62,9 @@ enum um_status um_core_whole_end(struct um_context *context, struct um_core_whol
 
 /* The folder takes its name, whole and on the disk; UM_ERR_CANCELLED when a stop was asked for. */
 enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder);
+/* The same for a folder that is the user's from then on: it has no marker, so that no later run
+ * replaces it. UM_ERR_IO where its name is taken, by an Umbra folder, too. */
+enum um_status um_core_folder_give(struct um_context *context, struct um_core_folder **folder);
 /* Accepts NULL, sets NULL. */
 void um_core_folder_abort(struct um_core_folder **folder);
 

@@ -23,6 +23,7 @@ struct um_core_folder {
   char *target;       /* without trailing slashes */
   char *partial;      /* the temporary folder; NULL: not made */
   size_t parent_made; /* number of parent folders that begin made */
+  bool given;         /* to the user: nothing is replaced, no marker stays */
   int lock;           /* descriptor of the marker in `partial`, locked; -1: none */
   bool force;
 };
@@ -249,6 +250,26 @@ static enum um_status replace_target(struct um_context *context, struct um_core_
   return UM_OK;
 }
 
+/* Nothing may stand at the place of a folder that is given to the user; the marker goes. */
+static enum um_status prepare_given(struct um_context *context, struct um_core_folder *f)
+{
+  char *marker;
+  struct stat st;
+  if (lstat(f->target, &st) == 0)
+    return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name", f->target);
+  UM_TRY(um_core_asprintf(context, &marker, "%s/" MARKER, f->partial));
+  enum um_status status = UM_OK;
+  if (unlink(marker) != 0) status = fail_errno(context, f->target, "cannot be made");
+  um_core_free(context, marker);
+  return status;
+}
+
+enum um_status um_core_folder_give(struct um_context *context, struct um_core_folder **folder)
+{
+  (*folder)->given = true;
+  return um_core_folder_commit(context, folder);
+}
+
 enum um_status um_core_folder_commit(struct um_context *context, struct um_core_folder **folder)
 {
   struct um_core_folder *f = *folder;
@@ -256,6 +277,7 @@ enum um_status um_core_folder_commit(struct um_context *context, struct um_core_
   bool exists;
   *folder = NULL;
   UM_CHECK(check_target(context, f->target, f->force, &exists));
+  if (f->given) UM_CHECK(prepare_given(context, f));
   UM_CHECK(um_core_tree_sync(context, f->partial));
   /* nothing of a run that was asked to stop is published, whoever overheard the stop */
   UM_CHECK(um_core_stop_check(context, "the results were written"));

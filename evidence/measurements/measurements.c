@@ -10,6 +10,7 @@
 #include "base/core/constants.h"
 #include "base/core/csv.h"
 #include "base/core/suggestions.h"
+#include "evidence/measurements/import.h"
 #include "evidence/measurements/set_group.h"
 #include "orbit/time_form.h"
 
@@ -54,9 +55,25 @@ static const char *name_at(size_t i)
                                  : column_names[i - UM_ORBIT_TIME_FORMS + 1];
 }
 
+/* A table of somebody else's: how it becomes a measurement file. UM_OK: it is none. */
+static enum um_status refuse_foreign(struct um_context *context, const struct um_core_csv *csv)
+{
+  char *command = NULL;
+  enum um_status status = um_compare_import_suggest(context, um_core_csv_name(csv), &command);
+  if (status != UM_OK) return status == UM_ERR_INPUT ? UM_OK : status;
+  status = um_core_fail(context, UM_ERR_INPUT,
+                        "%s: header: no measurement file, but a table that can be made one: %s",
+                        um_core_csv_name(csv), command);
+  um_core_free(context, command);
+  return status;
+}
+
 static enum um_status refuse_column(struct um_context *context, const struct um_core_csv *csv,
                                     const char *name)
 {
+  if (um_core_csv_find(csv, column_names[QUANTITY]) == SIZE_MAX &&
+      um_core_csv_find(csv, column_names[VALUE]) == SIZE_MAX)
+    UM_TRY(refuse_foreign(context, csv));
   struct um_core_words_guess guess = {.written = name};
   char accepted[400] = "", hint[UM_CORE_WORDS_HINT];
   for (size_t c = 0; c < ALL_NAMES; c++) {

@@ -245,3 +245,26 @@ done:
   UM_FREE(context, r.point, text);
   return status;
 }
+
+enum um_status um_compare_mmt_is(struct um_context *context, const char *path, bool *out)
+{
+  char *text = NULL, *save = NULL;
+  size_t length;
+  *out = false;
+  UM_TRY(um_core_file_read(context, path, MMT_BYTES_MAX, &text, &length));
+  for (char *line = strtok_r(text, "\n", &save); line != NULL && !*out;
+       line = strtok_r(NULL, "\n", &save)) {
+    char *word[COLUMNS + 1];
+    bool mag = false, filter = false;
+    line += strspn(line, " \t");
+    if (*line != '#') continue;
+    size_t n = split(line + 1, word);
+    for (size_t i = 1; i < n; i++) {
+      mag = mag || strcmp(word[i], column_names[MAG]) == 0;
+      filter = filter || strcmp(word[i], column_names[FILTER]) == 0;
+    }
+    *out = n > 0 && strcmp(word[0], column_names[DATE]) == 0 && mag && filter;
+  }
+  um_core_free(context, text);
+  return UM_OK;
+}

@@ -32,4 +32,8 @@ enum um_status um_compare_mmt_read(struct um_context *context, const char *path,
                                    struct um_compare_measurements **out,
                                    struct um_compare_mmt_point **points);
 
+/* Has the file the '#' line of columns of such a track, Date first, Mag and Filter among them?
+ * UM_ERR_IO, UM_ERR_MEMORY. */
+enum um_status um_compare_mmt_is(struct um_context *context, const char *path, bool *out);
+
 #endif

@@ -16,6 +16,7 @@
 #include "base/core/constants.h"
 #include "base/core/csv.h"
 #include "base/core/file.h"
+#include "base/core/text.h"
 #include "evidence/measurements/measurements.h"
 #include "evidence/measurements/time_text.h"
 
@@ -89,9 +90,14 @@ static void put_row(FILE *file, const struct um_compare_measurements *m, const s
   fputc('\n', file);
 }
 
-static void put_file(FILE *file, const struct um_compare_measurements *m)
+static void put_file(FILE *file, const char *note, const struct um_compare_measurements *m)
 {
   struct layout l = choose_layout(m);
+  if (note != NULL) {
+    fputs("# ", file);
+    um_core_text_put(file, note);
+    fputc('\n', file);
+  }
   fprintf(file, "time_utc,quantity,of,value,sigma%s%s%s%s%s\n", l.exposure ? ",exposure_s" : "",
           l.flag ? ",flag" : "", l.track ? ",track" : "",
           l.geometry ? ",satellite_height_km,azimuth_deg,elevation_deg" : "",
@@ -122,7 +128,8 @@ static enum um_status check_rows(struct um_context *context,
 /* A pipe or a device that the user names is written to where it stands; a pipe that nobody reads is
  * not waited for. */
 static enum um_status write_in_place(struct um_context *context,
-                                     const struct um_compare_measurements *m, const char *path)
+                                     const struct um_compare_measurements *m, const char *note,
+                                     const char *path)
 {
   int descriptor = open(path, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor >= 0) (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
@@ -133,21 +140,29 @@ static enum um_status write_in_place(struct um_context *context,
     return um_core_fail(context, UM_ERR_IO, "%s: %s", path,
                         reason == ENXIO ? "nobody reads this pipe" : strerror(reason));
   }
-  put_file(file, m);
+  put_file(file, note, m);
   UM_TRY(um_core_file_close(context, path, &file));
   return um_core_stop_check(context, WRITTEN);
+}
+
+enum um_status
+um_compare_measurements_write_noted(struct um_context *context,
+                                    const struct um_compare_measurements *measurements,
+                                    const char *note, const char *path)
+{
+  struct um_core_whole_file whole;
+  struct stat st;
+  UM_TRY(check_rows(context, measurements, path));
+  if (stat(path, &st) == 0 && !S_ISREG(st.st_mode))
+    return write_in_place(context, measurements, note, path);
+  UM_TRY(um_core_whole_begin(context, path, &whole));
+  put_file(whole.file, note, measurements);
+  return um_core_whole_end(context, &whole, um_core_stop_check(context, WRITTEN));
 }
 
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path)
 {
-  struct um_core_whole_file whole;
-  struct stat st;
-  UM_TRY(check_rows(context, measurements, path));
-  if (stat(path, &st) == 0 && !S_ISREG(st.st_mode))
-    return write_in_place(context, measurements, path);
-  UM_TRY(um_core_whole_begin(context, path, &whole));
-  put_file(whole.file, measurements);
-  return um_core_whole_end(context, &whole, um_core_stop_check(context, WRITTEN));
+  return um_compare_measurements_write_noted(context, measurements, NULL, path);
 }

@@ -13,5 +13,10 @@
 enum um_status um_compare_measurements_write(struct um_context *context,
                                              const struct um_compare_measurements *measurements,
                                              const char *path);
+/* The same with a line of comment at its head: "# NOTE". NULL: none. */
+enum um_status
+um_compare_measurements_write_noted(struct um_context *context,
+                                    const struct um_compare_measurements *measurements,
+                                    const char *note, const char *path);
 
 #endif

@@ -42,6 +42,8 @@ static void shape_of(const struct um_scenario_part *from, struct um_geometry_par
   } else {
     to->shape = UM_SHAPE_MESH;
     to->mesh_scale = from->mesh->scale;
+    to->mesh_groups = from->mesh->groups.items;
+    to->nmesh_group = from->mesh->groups.count;
   }
   if (round != NULL) {
     to->radius = round->radius_m;

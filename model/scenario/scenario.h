@@ -201,6 +201,7 @@ struct um_scenario_mesh {
   struct um_mark at;
   const char *file;
   double scale;
+  struct um_schema_list groups; /* of const char * */
 };
 struct um_scenario_pose {
   struct um_mark at;

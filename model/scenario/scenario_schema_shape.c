@@ -41,7 +41,10 @@ SHARED_OBJECT(um_model_paraboloid_schema, struct um_scenario_round, "paraboloid"
 #define OF struct um_scenario_mesh
 static const struct um_schema_field mesh_fields[] = {
     F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE, HELP("Wavefront OBJ; its groups are the groups")),
-    F(scale, UM_SCHEMA_NUMBER, DEFAULT(1.0), POSITIVE(1e6), HELP("metres per unit")),
+    F(scale, UM_SCHEMA_NUMBER, DEFAULT(1.0), POSITIVE(1e6),
+      HELP("metres per unit of the file; 0.001: it is drawn in millimetres")),
+    F(groups, UM_SCHEMA_TEXTS, MOST(2000), NAME,
+      HELP("these groups of the file alone, so that one file serves several parts; default all")),
 };
 #undef OF
 SHARED_OBJECT(um_model_mesh_schema, struct um_scenario_mesh, "mesh", "A mesh from a file.",

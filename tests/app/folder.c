@@ -257,7 +257,7 @@ static void test_scenario_runs_where_it_stands(void **state)
   static const char *const files[] = {"lightcurve.csv", "materials.csv", "temperatures.csv",
                                       "heat.csv", NULL};
   write_scene();
-  command_expect(0, "exchange", "project/scene", "--out", "project/seen", NULL);
+  command_expect(0, "export", "project/scene", "--as", "exchange", "--out", "project/seen", NULL);
   command_expect(
       0, "run", "project/scene", "--no-plots", "--out", "project/a/b", "--set",
       "parts.bus.interior.capacity_J_K=1200", "--set",

@@ -57,6 +57,8 @@ expect "They lie in $tree/share/umbra/scenarios; " umbra list scenarios
 expect "did you mean '$tree/share/umbra/scenarios/sphere'" sh -c 'umbra check sphere 2>&1 || true'
 expect "results in out/sphere" umbra run "$tree/share/umbra/scenarios/sphere" --no-plots --set time.step_s=60 --out out/sphere
 [ -s out/sphere/lightcurve.csv ] || fail "no light curve"
+expect "umbra run fresh" umbra new fresh
+expect "fresh: 2026-03-20T19:27:00.000Z" umbra check fresh
 expect "envisat" umbra check "$tree/share/umbra/scenarios/envisat-graz-2016"
 umbra validate --thermal >said || { grep MISS said; fail "validate"; }
 grep -q " cases within tolerance" said || fail "validate says nothing"

@@ -43,7 +43,7 @@ static void test_json(void **state)
 {
   (void)state;
   static const struct {
-    const char *argument[8], *holds;
+    const char *argument[12], *holds;
   } cases[] = {
       {{"check", "box.yaml", "--json"}, "\"area_m2\": 6,"},
       {{"forecast", "box.yaml", "--times", "--json"}, "\"culmination_utc\": \"2016-09-06T18:14:3"},
@@ -67,11 +67,21 @@ static void test_json(void **state)
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
        "\"phase_angles_deg\": [0],\n  \"bands\": ["},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
-      {{"exchange", "box.yaml", "--set", "parts.bus.inside_emittance=0.8", "--json"},
+      {{"export", "box.yaml", "--as", "mesh", "-o", "box.obj", "--json"}, "\"facets\": 12,"},
+      {{"export", "box.yaml", "--as", "trajectory", "-o", "t", "--json"}, "\"step_s\": 5"},
+      {{"new", "mine", "--from", "box.obj", "--json"},
+       "\"folder\": \"mine\", \"name\": \"mine\", \"parts\": 1, \"start_utc\": \"2026-"},
+      {{"import", "lc.csv", "--time", "t", "--magnitude", "V", "-o", "lc-measured.csv", "--json"},
+       "\"quantity\": \"magnitude_vega\", \"of\": \"V\", \"times\": \"UTC\", "
+       "\"put_in_order\": true, \"without_value\": 1}"},
+      {{"export", "box.yaml", "--as", "exchange", "-o", "factors", "--set",
+        "parts.bus.inside_emittance=0.8", "--json"},
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},
   };
   command_copy_data("box.yaml");
   command_write("ratio.csv", "wavelength_um,ratio\n0.5,0.5\n1.1,1.2\n");
+  command_write("lc.csv", "t,V\n2016-09-06T18:10:00Z,7\n2016-09-06T18:09:00Z,8\n"
+                          "2016-09-06T18:11:00Z,\n");
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
     expect_json(cases[i].argument, cases[i].holds);
 }
@@ -351,7 +361,8 @@ static void test_exchange(void **state)
   static const char *const inside = "parts.bus.inside_emittance=0.8";
   static const char *const taken = "thermal.view_factors=factors";
   command_copy_data("box.yaml");
-  command_expect(0, "exchange", "box.yaml", "--out", "factors", "--set", inside, NULL);
+  command_expect(0, "export", "box.yaml", "--as", "exchange", "--out", "factors", "--set", inside,
+                 NULL);
   assert_true(command_exists("factors/outside.csv") && command_exists("factors/inside-bus.csv"));
   char *table = command_read("factors/couplings.csv");
   assert_non_null(strstr(table, "\n0,0,1,"));

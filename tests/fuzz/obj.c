@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "geometry/geometry.h"
+#include "geometry/obj_look.h"
 #include "tests/fuzz/fuzz.h"
 
 static void look(struct um_context *context, const struct um_geometry *geometry)
@@ -26,6 +27,12 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
 {
   static const struct um_geometry_skin skins[] = {{NULL, "a", "b"}, {NULL, "a", NULL}};
   const char *path = um_fuzz_file(0, data, size);
+  struct um_geometry_obj_look groups;
+  if (um_fuzz_good(context, um_geometry_obj_look(context, path, &groups)))
+    for (size_t g = 0; g < groups.ngroup; g++)
+      if (groups.group[g].part >= groups.npart || groups.group[g].nclosed > groups.group[g].nfacet)
+        um_fuzz_finding("group %zu of no part, or with more closed than there are", g);
+  um_geometry_obj_look_clear(context, &groups);
   for (int way = 0; way < 3; way++) {
     const struct um_geometry_part_spec part = {.name = "part",
                                                .shape = UM_SHAPE_MESH,

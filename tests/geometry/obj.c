@@ -54,13 +54,13 @@ static double area(const struct support *s) { return um_geometry_report(s->geome
 static void accepts_forms_of_face(void **state)
 {
   (void)state;
-  static const char *const text[] = {SQUARE "f 1 2 3 4\n",
-                                     SQUARE "f -4 -3 -2 -1\n",
-                                     "\xef\xbb\xbf# comment\r\n" SQUARE
-                                     "vt 0 0\nvn 0 0 1\r\ns off\nf 1/1/1 2/1/1 3//1 4\r\n",
-                                     SQUARE "f 1 2 \\\n 3 4 # corner\n",
-                                     "f 1 2 3 4\n" SQUARE, /* an index may point forward */
-                                     "mtllib x.mtl\no thing\n" SQUARE "  f\t1 2 3\nf 1 3 4\n"};
+  static const char *const text[] = {
+      SQUARE "f 1 2 3 4\n", SQUARE "f -4 -3 -2 -1\n",
+      "\xef\xbb\xbf# comment\r\n" SQUARE "vt 0 0\nvn 0 0 1\r\ns off\nf 1/1/1 2/1/1 3//1 4\r\n",
+      SQUARE "f 1 2 \\\n 3 4 # corner\n", "f 1 2 3 4\n" SQUARE, /* an index may point forward */
+      /* colours of vertices are passed over */
+      "v 0 0 0 1\nv 1 0 0 0.5 1 1\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+      "mtllib x.mtl\no thing\n" SQUARE "  f\t1 2 3\nf 1 3 4\n"};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
     struct support s;
     accept(text[i], &s);

@@ -4,6 +4,7 @@
 #include "evidence/comparison/series.h"
 #include "evidence/inversion/fold.h"
 #include "evidence/inversion/period.h"
+#include "evidence/measurements/import.h"
 #include "evidence/measurements/measurements.h"
 #include "evidence/measurements/mmt.h"
 #include "evidence/measurements/write.h"
@@ -58,8 +59,43 @@ static void test_every_allocation(void **state)
   memory_sweep(everything, 100);
 }
 
+/* A table of any header: read, written with its columns, which are read back, and proposed. */
+static enum um_status import(struct um_context *c)
+{
+  static const struct um_compare_columns columns = {.time = "t+clock", .magnitude = "Vmag"};
+  struct um_compare_measurements *m = NULL;
+  struct um_compare_imported found;
+  struct um_compare_columns back;
+  char *map = NULL, *text = NULL, *command = NULL;
+  enum um_status status;
+  UM_CHECK(um_compare_import(c, "t.txt", &columns, &found, &m));
+  UM_CHECK(um_compare_columns_text(c, &found.columns, &map));
+  UM_CHECK(um_compare_measurements_write_noted(c, m, UM_COMPARE_IMPORT_MARK "time=t", "w.csv"));
+  UM_CHECK(um_compare_columns_read(c, "w.csv", &back, &text));
+  UM_CHECK(um_compare_import_suggest(c, "t.txt", &command));
+done:
+  um_compare_measurements_destroy(c, &m);
+  um_core_free(c, map);
+  um_core_free(c, text);
+  um_core_free(c, command);
+  return status;
+}
+
+static void test_import(void **state)
+{
+  (void)state;
+  FILE *file = fopen("t.txt", "wb");
+  assert_non_null(file);
+  fputs("# t clock Vmag\n", file);
+  for (int i = 0; i < 300; i++)
+    fprintf(file, "2016-09-21 20:%02d:%02d %d\n", i / 60, i % 60, i % 5);
+  fclose(file);
+  memory_sweep(import, 20);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation),
+                                     cmocka_unit_test(test_import)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }

@@ -1,7 +1,7 @@
-/* umbra exchange: view factors and radiative couplings of a scenario as tables. */
+/* umbra export --as exchange: view factors and radiative couplings of a scenario as tables. */
 #include <stdio.h>
 
-#include "app/app.h"
+#include "app/export.h"
 #include "app/terminal.h"
 #include "base/core/file.h"
 #include "model/build/build.h"
@@ -25,7 +25,7 @@ static void print(const struct um_app_options *options,
          folder);
 }
 
-int um_app_exchange(struct um_context *context, const struct um_app_options *options)
+static int export_exchange(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_model *model = NULL;
@@ -70,3 +70,9 @@ done:
   UM_FREE(context, out, name);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }
+
+const struct um_app_export um_app_export_exchange = {
+    .name = "exchange",
+    .target = "FOLDER",
+    .summary = "view factors and radiative couplings of surfaces, as tables",
+    .run = export_exchange};

@@ -1,0 +1,115 @@
+/* Orbit and attitude as tables (orbit/trajectory_table.c and orbit/attitude_table.c read them). */
+#include "output/trajectory.h"
+
+#include <math.h>
+
+#include "base/core/constants.h"
+#include "base/core/csv.h"
+#include "model/build/timeline.h"
+#include "orbit/attitude.h"
+#include "orbit/time.h"
+
+#define STEP  5.0  /* [s] */
+#define TURN  0.2  /* [rad] between two rows */
+#define SPARE 0.05 /* of what lies before the start, and */
+#define ROUND 60.0 /* [s] at both ends: a table's period is not the orbit's to the second */
+#define MOST  2e6  /* rows */
+#define LEAST 1e-3 /* [s] between rows */
+
+static bool is_there(struct um_context *context, const struct um_model *model, double t)
+{
+  struct um_environment_sample s;
+  if (um_model_sample_at(context, model, t, &s) == UM_OK) return true;
+  um_core_message_clear(context);
+  return false;
+}
+
+enum um_status um_output_instants_choose(struct um_context *context, const struct um_model *model,
+                                         struct um_output_instants *out)
+{
+  const struct um_scenario_time *time = model->scenario->time;
+  const struct um_scenario_thermal *thermal = model->scenario->thermal;
+  if (model->points)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: observations that stand alone have no orbit; accepted: an orbit other "
+                        "than points",
+                        model->scenario->at.file);
+  double period = um_orbit_trajectory_period(model->trajectory);
+  double orbits = fmax(thermal->orbits_before, thermal->start == UM_START_PERIODIC ? 1.0 : 0.0);
+  double before = isnan(period) ? 0.0 : orbits * period;
+  double from = time->start - before * (1.0 + SPARE) - time->exposure_s - ROUND;
+  double to = time->stop + time->exposure_s + ROUND;
+  /* tables of the scenario may end sooner: then what a run asks for, and no more */
+  from = floor(from); /* a whole second of UTC */
+  if (!is_there(context, model, from)) from = time->start - before;
+  if (!is_there(context, model, from)) from = time->start;
+  if (!is_there(context, model, to)) to = time->stop;
+  double rate = um_orbit_attitude_rate(model->attitude, isnan(period) ? 0.0 : 2.0 * UM_PI / period);
+  double step = rate > 0.0 ? fmin(STEP, TURN / rate) : STEP;
+  out->step = fmax(LEAST, 1e-3 * floor(1e3 * step));
+  double rows = floor((to - from) / out->step) + 2.0;
+  if (!(rows <= MOST))
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "%s: %.3g rows every %g s; accepted: at most %g, by a shorter time or "
+                        "fewer thermal.orbits_before",
+                        model->scenario->at.file, rows, out->step, MOST);
+  out->from = from;
+  out->count = (size_t)rows;
+  /* the last row does not lie beyond what there is */
+  while (out->count > 2 && !is_there(context, model, from + out->step * (double)(out->count - 1)))
+    out->count--;
+  return UM_OK;
+}
+
+static void put_row(FILE *orbit, FILE *attitude, const char *utc,
+                    const struct um_environment_sample *s)
+{
+  const double state[] = {s->r.x, s->r.y, s->r.z, s->v.x, s->v.y, s->v.z};
+  const double q[] = {s->q.w, s->q.x, s->q.y, s->q.z};
+  fputs(utc, orbit);
+  for (int k = 0; k < 6; k++) um_core_csv_put_exact(orbit, 1e-3 * state[k]);
+  fputc('\n', orbit);
+  fputs(utc, attitude);
+  for (int k = 0; k < 4; k++) um_core_csv_put_exact(attitude, q[k]);
+  fputc('\n', attitude);
+}
+
+static enum um_status put_rows(struct um_context *context, const struct um_model *model,
+                               const struct um_output_instants *instants, FILE *orbit,
+                               FILE *attitude)
+{
+  fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", orbit);
+  fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", attitude);
+  for (size_t i = 0; i < instants->count; i++) {
+    struct um_environment_sample s;
+    char utc[32];
+    double t;
+    if (i % 256 == 0) UM_TRY(um_core_stop_check(context, "tables were written"));
+    um_orbit_time_format(instants->from + instants->step * (double)i, utc);
+    UM_TRY(um_orbit_time_parse(context, utc, &t)); /* to the millisecond: that of the row */
+    UM_TRY(um_model_sample_at(context, model, t, &s));
+    put_row(orbit, attitude, utc, &s);
+  }
+  return UM_OK;
+}
+
+enum um_status um_output_write_trajectory(struct um_context *context, const struct um_model *model,
+                                          const struct um_output_instants *instants,
+                                          struct um_core_folder *folder)
+{
+  FILE *orbit = NULL, *attitude = NULL;
+  enum um_status status, closed;
+  UM_CHECK(um_core_folder_open(context, folder, "orbit.csv", &orbit));
+  UM_CHECK(um_core_folder_open(context, folder, "attitude.csv", &attitude));
+  UM_CHECK(put_rows(context, model, instants, orbit, attitude));
+done:
+  if (orbit != NULL) {
+    closed = um_core_file_close(context, "orbit.csv", &orbit);
+    if (status == UM_OK) status = closed;
+  }
+  if (attitude != NULL) {
+    closed = um_core_file_close(context, "attitude.csv", &attitude);
+    if (status == UM_OK) status = closed;
+  }
+  return status;
+}
