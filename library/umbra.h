@@ -83,6 +83,9 @@ void umbra_close(struct umbra **umbra);
 /* What was wrong with the last call, where it failed; borrowed until the next call that may fail.
  */
 const char *umbra_message(const struct umbra *umbra);
+/* End the call of this session that is under way, within 2 s, with UMBRA_ERR_CANCELLED; nothing
+ * where there is none. From any thread, and from a signal handler. */
+void umbra_interrupt(struct umbra *umbra);
 
 /* --- scenario -------------------------------------------------------------------------------- */
 
@@ -152,9 +155,17 @@ struct umbra_model;
 enum umbra_status umbra_model_build(struct umbra *umbra, const struct umbra_scenario *scenario,
                                     struct umbra_model **out);
 
-enum umbra_names { UMBRA_PARTS, UMBRA_PLACES, UMBRA_MATERIALS, UMBRA_BANDS, UMBRA_SENSORS };
+enum umbra_names {
+  UMBRA_PARTS,
+  UMBRA_PLACES,
+  UMBRA_MATERIALS,
+  UMBRA_BANDS,
+  UMBRA_SENSORS,
+  UMBRA_MECHANISMS
+};
 
-/* Names, in the order of arrays that have an axis of that kind. Places are what has a temperature
+/* Names, in the order of arrays that have an axis of that kind. Mechanisms are how light comes
+ * about: "sun", "earth", "emitted", "interreflected", "other". Places are what has a temperature
  * in results: parts, sides, interiors, and materials ("material:NAME"). *out: [count], borrowed
  * from the model. UMBRA_ERR_INPUT: no such kind. */
 enum umbra_status umbra_model_names(struct umbra *umbra, const struct umbra_model *model,
@@ -187,8 +198,7 @@ struct umbra_array {
  *   hidden [time] (1 below the horizon or behind the Earth),
  *   range_m, phase_angle_rad [time] (at the satellite, Sun to observer) with an observer,
  *   irradiance, magnitude_ab, magnitude_vega, intensity, intensity_error [time, band],
- *   intensity_parts [time, band, material, mechanism], mechanisms being Sun, Earth, emitted,
- *   inter-reflected, other,
+ *   intensity_parts [time, band, material, mechanism],
  *   spectral_intensity [time, bin, mechanism] before any filter, wavelength_m [bin],
  *   count_rate, count_rate_error [time, sensor],
  *   temperature, temperature_lowest, temperature_highest [place, time],
