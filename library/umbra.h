@@ -324,7 +324,42 @@ struct umbra_columns {
 /* Measurements from arrays, which are copied. UMBRA_ERR_INPUT with the row, counted from 1. */
 enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbra_columns *columns,
                                           struct umbra_measurements **out);
+/* Their columns, in the order of rows; those that no row has are NULL. Borrowed from the
+ * measurements. UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_measurements_columns(struct umbra *umbra,
+                                             struct umbra_measurements *measurements,
+                                             const struct umbra_columns **out);
+/* A CSV file of them, whole or not at all. A file that is there is replaced where force is not 0.
+ * UMBRA_ERR_IO: the file is there; it cannot be written. */
+enum umbra_status umbra_measurements_write(struct umbra *umbra,
+                                           const struct umbra_measurements *measurements,
+                                           const char *path, int force);
 void umbra_measurements_close(struct umbra_measurements **measurements);
+
+struct umbra_synth_settings {
+  size_t size;
+  /* 1 sigma of the noise: a share of each value, and a share of the band's largest one; not both 0
+   */
+  double noise, floor;
+  unsigned long long seed;
+  const char *const *place; /* [nplace] whose temperatures are measured, too */
+  size_t nplace;
+  double temperature_sigma; /* [K]; 0: 0.5 */
+  int grey_body; /* not 0: characteristic temperature and infrared cross-section, too, of three
+                    thermal bands or more */
+};
+#define UMBRA_SYNTH_SETTINGS                                                                       \
+  {                                                                                                \
+    sizeof(struct umbra_synth_settings), 0.0, 0.0, 0, NULL, 0, 0.0, 0                              \
+  }
+
+/* Measurements made of a scenario as it stands: the irradiance of every band and the count rate of
+ * every sensor at its instants, and what the settings name, with Gaussian noise. The same seed
+ * gives the same noise. UMBRA_ERR_INPUT: noise out of range, no such place, nothing that is seen;
+ * and errors of umbra_model_build and umbra_run. */
+enum umbra_status umbra_synth(struct umbra *umbra, const struct umbra_scenario *scenario,
+                              const struct umbra_synth_settings *settings,
+                              struct umbra_measurements **out);
 
 /* --- comparison ------------------------------------------------------------------------------- */
 
