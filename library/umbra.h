@@ -535,6 +535,62 @@ enum umbra_status umbra_what_if(struct umbra *umbra, const struct umbra_result *
                                 const size_t *column, const double *value, size_t n,
                                 struct umbra_result **out);
 
+/* --- studies and forecasts ---------------------------------------------------------------------
+ */
+
+/* Many points into a folder. Each that is done is safe on disk, in a folder beside it
+ * (FOLDER.points), which goes when the results are written. */
+struct umbra_points {
+  size_t size;
+  const char *folder; /* of the results */
+  int force;          /* not 0: a folder that Umbra did not write is replaced, too */
+  int pictures;       /* not 0: pictures by gnuplot; where there is none, a warning */
+  int workers;        /* processes that compute; 0: as many as settings.threads */
+  int resume;         /* not 0: points on record are taken; else records there are an error */
+  /* of a job array: points of number share of nshare alone, from 1, are put on record, and no
+   * results are written; a call without that resumes writes them. nshare 0: all */
+  size_t share, nshare;
+};
+#define UMBRA_POINTS                                                                               \
+  {                                                                                                \
+    sizeof(struct umbra_points), NULL, 0, 0, 0, 0, 0, 0                                            \
+  }
+
+/* The study of a file (docs/files.md). measured: measurements in place of those that it names, or
+ * NULL. *missing: points whose processes died, which a call that resumes computes; results are
+ * written without them, and the records stay. UMBRA_ERR_IO: a folder of somebody else's, records of
+ * something else; UMBRA_ERR_INPUT with file, line and key; and errors of umbra_run. */
+enum umbra_status umbra_study(struct umbra *umbra, const char *path, const char *measured,
+                              const struct umbra_points *points, size_t *missing);
+
+struct umbra_station {
+  const char *name;
+  double latitude_deg, longitude_deg, height_m; /* north, east */
+};
+
+struct umbra_forecast_settings {
+  size_t size;
+  double from_unix_s;                  /* 0: the scenario's start */
+  double days;                         /* 0: 1; at most 400 */
+  double minimum_elevation_deg;        /* 0: the scenario's */
+  const struct umbra_station *station; /* [nstation] none: the scenario's */
+  size_t nstation;
+  const char *const *uncertain; /* [nuncertain] "effect[:target],parameter=sigma", "key=sigma" */
+  size_t nuncertain;
+};
+#define UMBRA_FORECAST_SETTINGS                                                                    \
+  {                                                                                                \
+    sizeof(struct umbra_forecast_settings), 0.0, 0.0, 0.0, NULL, 0, NULL, 0                        \
+  }
+
+/* Passes to come, with what is seen of them: passes.csv, curves.csv, passes.ics and, where
+ * something is uncertain, contributions.csv (docs/files.md). settings: NULL for the defaults.
+ * *missing as above. UMBRA_ERR_INPUT: no station, no orbit, a setting out of range; and errors of
+ * umbra_study. */
+enum umbra_status umbra_forecast(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                 const struct umbra_forecast_settings *settings,
+                                 const struct umbra_points *points, size_t *missing);
+
 /* --- what there is: effects, keys, sources ------------------------------------------------------
  */
 
