@@ -19,8 +19,9 @@
  * Processes: nothing here prints, ends the process, installs a signal handler or keeps state of its
  * own outside of the session. What works in forked children, which are gone when the call returns:
  * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures); and, where
- * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose and
- * umbra_fit: such a child computes with one thread, and calls none of the callbacks. A child has
+ * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose,
+ * umbra_fit, umbra_study and umbra_forecast: such a child computes with one thread, and calls none
+ * of the callbacks. A child has
  * the calling thread alone, and locks that others held stay held in it: a host that has such
  * threads sets settings.threads to 1. Foreign libraries keep state of the process: GSL's error
  * handler is turned off; a large solid opens CHOLMOD, and sets OPENBLAS_NUM_THREADS to 1 in the

@@ -3,6 +3,7 @@ import collections
 import contextlib
 import logging
 import os
+import signal
 import sys
 import threading
 import time
@@ -113,6 +114,7 @@ class Session:
             self._owner = threading.get_ident()
             try:
                 self._sweep()
+                self._raised, self._warned = None, []
                 yield
             finally:
                 self._owner = None
@@ -124,30 +126,14 @@ class Session:
             self._end(getattr(lib, "umbra_" + name)(self.pointer, *arguments))
 
     def work(self, name, *arguments):
-        """The same of one that may last: Ctrl-C ends it. It computes in a thread of its own, since Python hears
-        signals between its own steps alone."""
-        with self._turn():
-            done, status = threading.Event(), []
-
-            def compute():
-                try:
-                    status.append(getattr(lib, "umbra_" + name)(self.pointer, *arguments))
-                finally:
-                    done.set()
-
-            thread = threading.Thread(target=compute, name="umbra_" + name, daemon=True)
-            thread.start()
+        """The same of one that may last: Ctrl-C ends it."""
+        with self._turn(), _listening(self.pointer):
             try:
-                done.wait()
-            except BaseException:
-                lib.umbra_interrupt(self.pointer)
-                _wait(done)
-                raise
+                status = getattr(lib, "umbra_" + name)(self.pointer, *arguments)
             finally:
                 if isinstance(self.progress, Bar):
                     self.progress.clear()
-            thread.join()
-            self._end(status[0])
+            self._end(status)
 
     def make(self, name, kind, *arguments, long=False):
         """The object that such a function makes; its last argument."""
@@ -195,12 +181,38 @@ def _level():
     return level
 
 
-def _wait(done):
-    while not done.is_set():
-        try:
-            done.wait()
-        except KeyboardInterrupt:  # it is on its way
-            continue
+@contextlib.contextmanager
+def _listening(pointer):
+    """Python's own handlers of signals wait until C returns. Its wakeup pipe does not: a thread reads there that
+    Ctrl-C was pressed, and has the library return. Signals are for the main thread alone."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    before = signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
+
+    def listen():
+        while True:
+            heard = os.read(reading, 64)
+            told = heard.rstrip(b"\0")
+            if before >= 0 and told:  # somebody else's, such as an event loop's
+                os.write(before, told)
+            if signal.SIGINT in told and callable(signal.getsignal(signal.SIGINT)):
+                lib.umbra_interrupt(pointer)
+            if told != heard:
+                return
+
+    thread = threading.Thread(target=listen, name="umbra-signals", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        signal.set_wakeup_fd(before)
+        os.write(writing, b"\0")
+        thread.join()
+        os.close(reading)
+        os.close(writing)
 
 
 _default = None

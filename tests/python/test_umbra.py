@@ -2,11 +2,13 @@
 
     test_umbra.py UMBRA PAIR.SO [unittest's options]      with umbra importable, UMBRA_LIBRARY naming the library
 """
+import concurrent.futures
 import contextlib
 import csv
 import gc
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -250,6 +252,54 @@ class Evidence(unittest.TestCase):
         np.testing.assert_allclose(moved.temperature, found.temperature + slope * (value - null), rtol=1e-9)
         with self.assertRaises(KeyError):
             found.what_if({"nothing": 1.0})
+
+
+STUDY = """schema: 1
+name: read
+scenario: box.yaml
+parameters:
+  - {material: grey_white, property: emittance, from: 0.7, to: 0.9}
+  - {key: parts.bus.shell.areal_heat_capacity_J_m2_K, from: 2000, to: 4000, unit: J/m2/K}
+design: {kind: grid, levels: 2}
+outputs: {bands: [vis, lwir], places: [bus]}
+"""
+
+
+class Points(unittest.TestCase):
+    """Studies and forecasts."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        shutil.copy(BOX, os.path.join(folder.name, "box.yaml"))
+        self.study = os.path.join(folder.name, "study.yaml")
+        with open(self.study, "w") as file:
+            file.write(STUDY)
+        self.out = os.path.join(folder.name, "out")
+
+    def test_study(self):
+        found = umbra.study(self.study, workers=1)
+        self.assertEqual(found.sizes["point"], 4)
+        self.assertEqual(list(found.band.values), ["vis", "lwir"])
+        with concurrent.futures.ProcessPoolExecutor(2) as executor:
+            shared = umbra.study(self.study, self.out, executor=executor)
+        self.assertTrue(found.drop_vars([]).equals(shared))
+        self.assertTrue(os.path.exists(os.path.join(self.out, "points.csv")))
+        self.assertFalse(os.path.exists(self.out + ".points"))
+
+    def test_study_errors(self):
+        with self.assertRaises(umbra.IoError):
+            umbra.study(self.study + ".none")
+
+    def test_forecast(self):
+        found = umbra.forecast(umbra.Scenario(BOX), self.out, start="2016-09-06", stations={"Graz": (47.067, 15.493, 495)},
+                               minimum_elevation=20)
+        self.assertGreater(len(found.passes), 0)
+        self.assertTrue((found.passes.culmination_elevation_deg >= 20).all())
+        self.assertTrue((found.passes.rise_utc < found.passes.set_utc).all())
+        self.assertEqual(set(found.curves["pass"]), set(found.passes["pass"]))
+        self.assertIsNone(found.contributions)
+        self.assertTrue(os.path.exists(os.path.join(self.out, "passes.ics")))
 
 
 class Page(unittest.TestCase):
