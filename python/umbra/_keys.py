@@ -78,6 +78,15 @@ def sensors():
     return names("data_names", _session.default(), "SENSORS")
 
 
+def find_scenario(name, session=None):
+    """Path of a scenario: of one that comes with Umbra, by its name, or of a file or folder that is there."""
+    session = session or _session.default()
+    for path in (os.fspath(name), os.path.join(session.data, "scenarios", os.fspath(name))):
+        if os.path.exists(path):
+            return path
+    raise FileNotFoundError(f"no file, folder or scenario '{name}'; {hint(name, scenarios())}")
+
+
 def scenarios():
     """Names of the scenarios that come with Umbra, each good for `umbra.Scenario(name)`."""
     root = os.path.join(_session.default().data, "scenarios")

@@ -2,7 +2,6 @@
 import datetime
 import json
 import numbers
-import os
 
 import numpy as np
 import xarray as xr
@@ -11,20 +10,9 @@ from . import _session
 from ._arrays import times
 from ._c import Memory, ffi, lib, message
 from ._effects import Effect, effects
-from ._keys import names, scenarios
-from ._names import Named, hint
+from ._keys import find_scenario, names
+from ._names import Named
 from ._result import Comparison, Diagnosis, Result, Sensitivity
-
-
-def _find(name, session):
-    """A file or folder, or the name of a scenario that comes with Umbra."""
-    path = os.fspath(name)
-    if os.path.exists(path):
-        return path
-    own = os.path.join(session.data, "scenarios", path)
-    if os.path.exists(own):
-        return own
-    raise FileNotFoundError(f"no file, folder or scenario '{path}'; {hint(path, scenarios())}")
 
 
 def _value(value):
@@ -78,7 +66,7 @@ class Scenario(Named):
         if text is None:
             if source is None:
                 raise TypeError("no scenario; accepted: a name, a path, or text=")
-            source = _find(source, self._session)
+            source = find_scenario(source, self._session)
         memory = Memory()
         self._handle = self._session.make("scenario_read", "scenario", memory.text(source), memory.text(text))
 
