@@ -26,8 +26,8 @@ from ._session import Bar, Session, UmbraWarning, configure
 
 __version__ = _text(_lib.umbra_version())
 Error = _errors.Error
-Confidence = _numbers("umbra_confidence", "How sure a finding is.")
-VerdictKind = _numbers("umbra_verdict_kind", "What a diagnosis or a fit ends with.")
+Confidence = _numbers("umbra_confidence")  # how sure a finding is
+VerdictKind = _numbers("umbra_verdict_kind")  # what a diagnosis or a fit ends with
 globals().update(_errors.CLASSES)  # InputError, IoError ...: one for each status
 
 __all__ = sorted(name for name in globals() if not name.startswith("_"))

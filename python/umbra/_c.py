@@ -1,6 +1,7 @@
 """libumbra as it is: umbra.h, read when the package is imported, is the one list of functions,
 structures and numbers. Nothing in this package names them a second time."""
 import enum
+import functools
 import os
 import pathlib
 import re
@@ -78,11 +79,11 @@ def labels(name):
     return {value: label[prefix:] for value, label in sorted(found.items())}
 
 
-def numbers(name, doc=None):
-    """An enum of C as one of Python."""
-    made = enum.IntEnum(name, {label: value for value, label in labels(name).items()})
-    made.__doc__ = doc
-    return made
+@functools.lru_cache(maxsize=None)
+def numbers(name):
+    """An enum of C as one of Python: umbra_verdict_kind as VerdictKind."""
+    made = "".join(word.title() for word in name.split("_")[1:])
+    return enum.IntEnum(made, {label: value for value, label in labels(name).items()}, module="umbra")
 
 
 def record(structure):

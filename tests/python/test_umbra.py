@@ -103,6 +103,13 @@ class Runs(unittest.TestCase):
                 self.result.write(folder)
             self.assertTrue(os.path.exists(os.path.join(folder, "mine")))
 
+    def test_without(self):
+        """Less light heats the satellite, and the change stays in the scenario."""
+        scenario = umbra.Scenario("hidden-effect/dusk").change({"time.step_s": 60})
+        before = scenario.run().temperature.sel(place="bus")
+        after = scenario.without("albedo").run().temperature.sel(place="bus")
+        self.assertTrue((after < before).all())
+
     def test_many(self):
         """A variant is the scenario, changed and run."""
         key, effect = "parts.bus.shell.areal_heat_capacity_J_m2_K", umbra.effects.emittance("grey_white")
@@ -240,7 +247,7 @@ class Evidence(unittest.TestCase):
 
     def test_diagnose(self):
         found = box().diagnose(self.measured, only=["emittance", "solar_absorptance"])
-        self.assertEqual(found.verdict.kind.name, umbra.VerdictKind.FOUND.name)
+        self.assertIs(found.verdict.kind, umbra.VerdictKind.FOUND)
         self.assertEqual(found.verdict.finding[0].effect, "emittance")
 
     def test_sensitivity(self):
