@@ -38,7 +38,8 @@ def _open(ffi):
             said.append(f"{name}: no such file")
             continue
         try:
-            return ffi.dlopen(str(name), ffi.RTLD_NOW)
+            # never closed: threads of OpenMP are still in its code when Python ends
+            return ffi.dlopen(str(name), ffi.RTLD_NOW | getattr(os, "RTLD_NODELETE", 0))
         except OSError as error:
             said.append(str(error))
     raise ImportError("libumbra is not found, or a library that it needs is missing (tools/install-deps installs them). "

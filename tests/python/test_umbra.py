@@ -382,6 +382,12 @@ class Sessions(unittest.TestCase):
         for one in found:
             np.testing.assert_array_equal(one, expected)
 
+    def test_end(self):
+        """Python ends well while threads of a computation still wait for work."""
+        for _ in range(4):
+            subprocess.run([sys.executable, "-c", f"import umbra; kept = umbra.Scenario({BOX!r}).run().irradiance"],
+                           check=True, stderr=subprocess.DEVNULL)
+
     def test_forked(self):
         """A forked child has a session of its own."""
         box().run()
