@@ -59,16 +59,6 @@ static enum um_status parse(struct um_context *context, const struct um_app_opti
   return UM_OK;
 }
 
-static enum um_status write_file(struct um_context *context, struct um_core_folder *folder,
-                                 const char *name, const struct um_forecast *f,
-                                 void (*write)(const struct um_forecast *f, FILE *file))
-{
-  FILE *file = NULL;
-  UM_TRY(um_core_folder_open(context, folder, name, &file));
-  write(f, file);
-  return um_core_file_close(context, name, &file);
-}
-
 /* The folder is begun before the computing: what stands in its way is said at once. */
 static enum um_status compute_and_write(struct um_context *context,
                                         const struct um_app_options *options, struct um_forecast *f,
@@ -78,12 +68,7 @@ static enum um_status compute_and_write(struct um_context *context,
   struct um_core_folder *folder = NULL;
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));
   UM_CHECK(um_forecast_run(context, f, batch));
-  UM_CHECK(write_file(context, folder, "passes.csv", f, um_forecast_csv));
-  UM_CHECK(write_file(context, folder, "curves.csv", f, um_forecast_curves));
-  UM_CHECK(write_file(context, folder, "passes.ics", f, um_forecast_ics));
-  if (f->nuncertain > 0)
-    UM_CHECK(write_file(context, folder, "contributions.csv", f, um_forecast_contributions));
-  if (!options->no_plots) UM_CHECK(um_forecast_plot(context, f, um_core_folder_path(folder)));
+  UM_CHECK(um_forecast_write(context, f, !options->no_plots, folder));
   UM_CHECK(um_core_folder_commit(context, &folder));
 done:
   um_core_folder_abort(&folder);

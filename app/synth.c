@@ -10,8 +10,6 @@
 #include "app/terminal.h"
 #include "base/core/csv.h"
 #include "evidence/measurements/write.h"
-#include "model/build/build.h"
-#include "model/geometry/precompute.h"
 
 #define SEED_MAX 9007199254740992.0 /* 2^53: whole numbers that a double holds */
 
@@ -61,33 +59,12 @@ static void print_set(const struct um_compare_measurements *m, const char *out)
   printf("\n");
 }
 
-static enum um_status make(struct um_context *context, const struct um_app_options *options,
-                           const struct um_compare_synth *o, struct um_compare_measurements **out)
-{
-  enum um_status status;
-  struct um_model *model = NULL;
-  struct um_model_tables *tables = NULL;
-  struct um_model_result *result = NULL;
-  struct um_model_options changes = um_app_model_options(options);
-  UM_CHECK(um_model_create(context, options->positional[0], &changes, &model));
-  UM_CHECK(um_compare_synth_check(context, model, o));
-  UM_CHECK(um_model_precompute(context, model, &tables));
-  struct um_compare_synth looked_at = *o;
-  UM_CHECK(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE, um_compare_synth_share,
-                             &looked_at, &result, NULL));
-  UM_CHECK(um_compare_synth_create(context, model, tables, result, o, options->out, out));
-done:
-  um_model_result_destroy(context, &result);
-  um_model_tables_destroy(context, &tables);
-  um_model_destroy(context, &model);
-  return status;
-}
-
 int um_app_synth(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
   struct um_compare_synth o = {0};
   struct um_compare_measurements *made = NULL;
+  struct um_model_options changes = um_app_model_options(options);
   char *list = NULL;
   const char **place = NULL;
   int code = read_options(options, &o);
@@ -99,7 +76,8 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
     o.place = place;
   }
   o.grey_body = options->grey_body;
-  UM_CHECK(make(context, options, &o, &made));
+  UM_CHECK(
+      um_compare_synth_run(context, options->positional[0], &changes, &o, options->out, &made));
   UM_CHECK(um_compare_measurements_write(context, made, options->out));
   um_app_terminal_clear();
   print_set(made, options->out);

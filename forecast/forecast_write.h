@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "base/core/file.h"
 #include "forecast/forecast.h"
 
 /* One row a pass; columns: docs/files.md. Errors of writing are the stream's. */
@@ -19,6 +20,11 @@ void um_forecast_ics(const struct um_forecast *forecast, FILE *file);
  * of um_plot_draw. */
 enum um_status um_forecast_plot(struct um_context *context, const struct um_forecast *forecast,
                                 const char *folder);
+
+/* All of these into a folder that is being written: passes.csv, curves.csv, passes.ics, where
+ * something is uncertain contributions.csv. UM_ERR_IO; errors of um_forecast_plot. */
+enum um_status um_forecast_write(struct um_context *context, const struct um_forecast *forecast,
+                                 bool pictures, struct um_core_folder *folder);
 
 /* A text value of iCalendar: backslash, semicolon, comma and line end escaped, other control
  * characters left out (RFC 5545, 3.3.11). out: [size], cut at whole characters where it is full. */

@@ -10,8 +10,9 @@
 
 #define NAME "measurements" /* what messages call arrays */
 
-static enum um_status take(struct um_context *context, struct umbra *umbra,
-                           struct um_compare_measurements **set, struct umbra_measurements **out)
+enum um_status um_library_measurements_take(struct um_context *context, struct umbra *umbra,
+                                            struct um_compare_measurements **set,
+                                            struct umbra_measurements **out)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **out, out));
   atomic_init(&(*out)->users, 1);
@@ -28,7 +29,7 @@ enum umbra_status umbra_measurements_read(struct umbra *umbra, const char *path,
   struct um_compare_measurements *set = NULL;
   *out = NULL;
   enum um_status status = um_compare_measurements_read(context, path, &set);
-  if (status == UM_OK) status = take(context, umbra, &set, out);
+  if (status == UM_OK) status = um_library_measurements_take(context, umbra, &set, out);
   um_compare_measurements_destroy(context, &set);
   return um_library_status(status);
 }
@@ -81,7 +82,7 @@ enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbr
   UM_CHECK(um_core_allocate(context, columns->count, sizeof *row, &row));
   for (size_t i = 0; i < columns->count; i++) UM_CHECK(fill_row(context, columns, i, &row[i]));
   UM_CHECK(um_compare_measurements_make(context, NAME, row, columns->count, &set));
-  UM_CHECK(take(context, umbra, &set, out));
+  UM_CHECK(um_library_measurements_take(context, umbra, &set, out));
 done:
   um_core_free(context, row);
   um_compare_measurements_destroy(context, &set);
@@ -102,7 +103,7 @@ void um_library_measurements_drop(struct umbra_measurements **measurements)
   if (atomic_fetch_sub(&m->users, 1) != 1) return;
   struct umbra *session = m->session;
   um_compare_measurements_destroy(session->context, &m->set);
-  um_core_free(session->context, m);
+  UM_FREE(session->context, m->number, (void *)m->text, m->flag, m);
   um_library_session_drop(&session);
 }
 

@@ -18,6 +18,8 @@ static size_t count_of(const struct um_model *model, enum umbra_names kind)
     return model->nband;
   case UMBRA_SENSORS:
     return model->nsensor;
+  case UMBRA_MECHANISMS:
+    return UM_MECHANISM_COUNT;
   }
   return 0;
 }
@@ -37,6 +39,8 @@ static const char *name_of(const struct umbra_model *model, enum umbra_names kin
     return m->band[i].name;
   case UMBRA_SENSORS:
     return m->sensor[i].name;
+  case UMBRA_MECHANISMS:
+    return um_optics_mechanism_name((enum um_optics_mechanism)i);
   }
   return NULL;
 }

@@ -27,6 +27,7 @@ struct um_context *um_library_begin(struct umbra *umbra)
 {
   um_core_message_clear(umbra->context);
   um_core_log_clear(umbra->context);
+  atomic_store(&umbra->interrupted, 0);
   return umbra->context;
 }
 
@@ -53,9 +54,12 @@ static bool progress(void *self, const char *task, size_t done, size_t total)
 
 static bool stop(void *self)
 {
-  const struct umbra *umbra = self;
-  return umbra->settings.stop(umbra->settings.self) != 0;
+  struct umbra *umbra = self;
+  if (atomic_load_explicit(&umbra->interrupted, memory_order_relaxed) != 0) return true;
+  return umbra->settings.stop != NULL && umbra->settings.stop(umbra->settings.self) != 0;
 }
+
+void umbra_interrupt(struct umbra *umbra) { atomic_store(&umbra->interrupted, 1); }
 
 static enum um_status apply(struct umbra *umbra, const struct umbra_settings *settings)
 {
@@ -67,7 +71,7 @@ static enum um_status apply(struct umbra *umbra, const struct umbra_settings *se
   umbra->settings.data = umbra->settings.cache = NULL;
   if (settings->log != NULL) um_core_log_set_sink(context, log_line, umbra);
   if (settings->progress != NULL) um_core_progress_set_sink(context, progress, umbra);
-  if (settings->stop != NULL) um_core_context_set_stop(context, stop, umbra);
+  um_core_context_set_stop(context, stop, umbra);
   return UM_OK;
 }
 
@@ -80,6 +84,7 @@ enum umbra_status umbra_open(const struct umbra_settings *settings, struct umbra
   struct umbra *umbra = calloc(1, sizeof *umbra);
   if (umbra == NULL) return UMBRA_ERR_MEMORY;
   atomic_init(&umbra->users, 1);
+  atomic_init(&umbra->interrupted, 0);
   enum um_status status = um_core_context_create(NULL, &umbra->context);
   if (status == UM_OK) status = apply(umbra, settings);
   if (status == UM_OK) status = um_library_catalogue(umbra);

@@ -9,7 +9,7 @@
 #include "effects/effects.h"
 #include "library/umbra.h"
 
-#define UM_LIBRARY_NAMES (UMBRA_SENSORS + 1) /* kinds */
+#define UM_LIBRARY_NAMES (UMBRA_MECHANISMS + 1) /* kinds */
 
 struct umbra {
   struct um_context *context;
@@ -26,7 +26,8 @@ struct umbra {
     const char **name; /* [count]; NULL: not asked for */
     size_t count;
   } data[UM_LIBRARY_NAMES];
-  atomic_int users; /* the caller's handle, and objects that were made with it */
+  atomic_int users;       /* the caller's handle, and objects that were made with it */
+  atomic_int interrupted; /* not 0: the call under way is to end */
 };
 
 /* One user more; gone with the last. Accepts NULL. */

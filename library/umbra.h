@@ -19,8 +19,9 @@
  * Processes: nothing here prints, ends the process, installs a signal handler or keeps state of its
  * own outside of the session. What works in forked children, which are gone when the call returns:
  * TetGen (solid parts), netCDF of maps that a scenario names, gnuplot (pictures); and, where
- * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose and
- * umbra_fit: such a child computes with one thread, and calls none of the callbacks. A child has
+ * settings.threads is above 1, many variants at once, in umbra_evaluate_many, umbra_diagnose,
+ * umbra_fit, umbra_study and umbra_forecast: such a child computes with one thread, and calls none
+ * of the callbacks. A child has
  * the calling thread alone, and locks that others held stay held in it: a host that has such
  * threads sets settings.threads to 1. Foreign libraries keep state of the process: GSL's error
  * handler is turned off; a large solid opens CHOLMOD, and sets OPENBLAS_NUM_THREADS to 1 in the
@@ -83,6 +84,9 @@ void umbra_close(struct umbra **umbra);
 /* What was wrong with the last call, where it failed; borrowed until the next call that may fail.
  */
 const char *umbra_message(const struct umbra *umbra);
+/* End the call of this session that is under way, within 2 s, with UMBRA_ERR_CANCELLED; nothing
+ * where there is none. From any thread, and from a signal handler. */
+void umbra_interrupt(struct umbra *umbra);
 
 /* --- scenario -------------------------------------------------------------------------------- */
 
@@ -153,9 +157,17 @@ struct umbra_model;
 enum umbra_status umbra_model_build(struct umbra *umbra, const struct umbra_scenario *scenario,
                                     struct umbra_model **out);
 
-enum umbra_names { UMBRA_PARTS, UMBRA_PLACES, UMBRA_MATERIALS, UMBRA_BANDS, UMBRA_SENSORS };
+enum umbra_names {
+  UMBRA_PARTS,
+  UMBRA_PLACES,
+  UMBRA_MATERIALS,
+  UMBRA_BANDS,
+  UMBRA_SENSORS,
+  UMBRA_MECHANISMS
+};
 
-/* Names, in the order of arrays that have an axis of that kind. Places are what has a temperature
+/* Names, in the order of arrays that have an axis of that kind. Mechanisms are how light comes
+ * about: "sun", "earth", "emitted", "interreflected", "other". Places are what has a temperature
  * in results: parts, sides, interiors, and materials ("material:NAME"). *out: [count], borrowed
  * from the model. UMBRA_ERR_INPUT: no such kind. */
 enum umbra_status umbra_model_names(struct umbra *umbra, const struct umbra_model *model,
@@ -188,8 +200,7 @@ struct umbra_array {
  *   hidden [time] (1 below the horizon or behind the Earth),
  *   range_m, phase_angle_rad [time] (at the satellite, Sun to observer) with an observer,
  *   irradiance, magnitude_ab, magnitude_vega, intensity, intensity_error [time, band],
- *   intensity_parts [time, band, material, mechanism], mechanisms being Sun, Earth, emitted,
- *   inter-reflected, other,
+ *   intensity_parts [time, band, material, mechanism],
  *   spectral_intensity [time, bin, mechanism] before any filter, wavelength_m [bin],
  *   count_rate, count_rate_error [time, sensor],
  *   temperature, temperature_lowest, temperature_highest [place, time],
@@ -315,7 +326,42 @@ struct umbra_columns {
 /* Measurements from arrays, which are copied. UMBRA_ERR_INPUT with the row, counted from 1. */
 enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbra_columns *columns,
                                           struct umbra_measurements **out);
+/* Their columns, in the order of rows; those that no row has are NULL. Borrowed from the
+ * measurements. UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_measurements_columns(struct umbra *umbra,
+                                             struct umbra_measurements *measurements,
+                                             const struct umbra_columns **out);
+/* A CSV file of them, whole or not at all. A file that is there is replaced where force is not 0.
+ * UMBRA_ERR_IO: the file is there; it cannot be written. */
+enum umbra_status umbra_measurements_write(struct umbra *umbra,
+                                           const struct umbra_measurements *measurements,
+                                           const char *path, int force);
 void umbra_measurements_close(struct umbra_measurements **measurements);
+
+struct umbra_synth_settings {
+  size_t size;
+  /* 1 sigma of the noise: a share of each value, and a share of the band's largest one; not both 0
+   */
+  double noise, floor;
+  unsigned long long seed;
+  const char *const *place; /* [nplace] whose temperatures are measured, too */
+  size_t nplace;
+  double temperature_sigma; /* [K]; 0: 0.5 */
+  int grey_body; /* not 0: characteristic temperature and infrared cross-section, too, of three
+                    thermal bands or more */
+};
+#define UMBRA_SYNTH_SETTINGS                                                                       \
+  {                                                                                                \
+    sizeof(struct umbra_synth_settings), 0.0, 0.0, 0, NULL, 0, 0.0, 0                              \
+  }
+
+/* Measurements made of a scenario as it stands: the irradiance of every band and the count rate of
+ * every sensor at its instants, and what the settings name, with Gaussian noise. The same seed
+ * gives the same noise. UMBRA_ERR_INPUT: noise out of range, no such place, nothing that is seen;
+ * and errors of umbra_model_build and umbra_run. */
+enum umbra_status umbra_synth(struct umbra *umbra, const struct umbra_scenario *scenario,
+                              const struct umbra_synth_settings *settings,
+                              struct umbra_measurements **out);
 
 /* --- comparison ------------------------------------------------------------------------------- */
 
@@ -490,6 +536,62 @@ const struct umbra_sensitivity *umbra_result_sensitivity(const struct umbra_resu
 enum umbra_status umbra_what_if(struct umbra *umbra, const struct umbra_result *sensitivity,
                                 const size_t *column, const double *value, size_t n,
                                 struct umbra_result **out);
+
+/* --- studies and forecasts ---------------------------------------------------------------------
+ */
+
+/* Many points into a folder. Each that is done is safe on disk, in a folder beside it
+ * (FOLDER.points), which goes when the results are written. */
+struct umbra_points {
+  size_t size;
+  const char *folder; /* of the results */
+  int force;          /* not 0: a folder that Umbra did not write is replaced, too */
+  int pictures;       /* not 0: pictures by gnuplot; where there is none, a warning */
+  int workers;        /* processes that compute; 0: as many as settings.threads */
+  int resume;         /* not 0: points on record are taken; else records there are an error */
+  /* of a job array: points of number share of nshare alone, from 1, are put on record, and no
+   * results are written; a call without that resumes writes them. nshare 0: all */
+  size_t share, nshare;
+};
+#define UMBRA_POINTS                                                                               \
+  {                                                                                                \
+    sizeof(struct umbra_points), NULL, 0, 0, 0, 0, 0, 0                                            \
+  }
+
+/* The study of a file (docs/files.md). measured: measurements in place of those that it names, or
+ * NULL. *missing: points whose processes died, which a call that resumes computes; results are
+ * written without them, and the records stay. UMBRA_ERR_IO: a folder of somebody else's, records of
+ * something else; UMBRA_ERR_INPUT with file, line and key; and errors of umbra_run. */
+enum umbra_status umbra_study(struct umbra *umbra, const char *path, const char *measured,
+                              const struct umbra_points *points, size_t *missing);
+
+struct umbra_station {
+  const char *name;
+  double latitude_deg, longitude_deg, height_m; /* north, east */
+};
+
+struct umbra_forecast_settings {
+  size_t size;
+  double from_unix_s;                  /* 0: the scenario's start */
+  double days;                         /* 0: 1; at most 400 */
+  double minimum_elevation_deg;        /* 0: the scenario's */
+  const struct umbra_station *station; /* [nstation] none: the scenario's */
+  size_t nstation;
+  const char *const *uncertain; /* [nuncertain] "effect[:target],parameter=sigma", "key=sigma" */
+  size_t nuncertain;
+};
+#define UMBRA_FORECAST_SETTINGS                                                                    \
+  {                                                                                                \
+    sizeof(struct umbra_forecast_settings), 0.0, 0.0, 0.0, NULL, 0, NULL, 0                        \
+  }
+
+/* Passes to come, with what is seen of them: passes.csv, curves.csv, passes.ics and, where
+ * something is uncertain, contributions.csv (docs/files.md). settings: NULL for the defaults.
+ * *missing as above. UMBRA_ERR_INPUT: no station, no orbit, a setting out of range; and errors of
+ * umbra_study. */
+enum umbra_status umbra_forecast(struct umbra *umbra, const struct umbra_scenario *scenario,
+                                 const struct umbra_forecast_settings *settings,
+                                 const struct umbra_points *points, size_t *missing);
 
 /* --- what there is: effects, keys, sources ------------------------------------------------------
  */

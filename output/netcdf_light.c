@@ -6,9 +6,9 @@
 
 static enum um_status put_bands(const struct um_output_netcdf *w)
 {
-  static const char *const mechanisms[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
-                                                             "interreflected", "other"};
-  const char **names = NULL;
+  const char **names = NULL, *mechanisms[UM_MECHANISM_COUNT];
+  for (size_t i = 0; i < UM_MECHANISM_COUNT; i++)
+    mechanisms[i] = um_optics_mechanism_name((enum um_optics_mechanism)i);
   size_t n = w->length[UM_NC_BAND];
   UM_TRY(um_core_allocate(w->context, n, sizeof *names, &names));
   for (size_t i = 0; i < n; i++) names[i] = w->run->model->band[i].name;

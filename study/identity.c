@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/batch/records.h"
+#include "base/core/data.h"
 #include "base/core/digest.h"
 #include "base/core/file.h"
 #include "base/core/file_snapshot.h"
@@ -59,7 +60,11 @@ static enum um_status add_program(struct um_context *context, struct um_study_id
                                   const char *version)
 {
   uint64_t digest;
-  UM_TRY(um_core_file_digest(context, "/proc/self/exe", &digest));
+  char *file;
+  UM_TRY(um_core_data_program(context, &file));
+  enum um_status status = um_core_file_digest(context, file, &digest);
+  um_core_free(context, file);
+  UM_TRY(status);
   if (version != NULL) digest = um_core_digest_texts(digest, &version, 1);
   return add(context, identity, "program", "umbra", digest);
 }

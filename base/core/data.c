@@ -28,18 +28,18 @@ static bool cut_name(char path[PATH_MAX])
   return slash != NULL;
 }
 
-/* The folder of the running program, links resolved; false where the system does not say. */
-static bool program_folder(char out[PATH_MAX])
+/* The running program, links resolved; false where the system does not say. */
+static bool program_file(char out[PATH_MAX])
 {
   ssize_t n = readlink("/proc/self/exe", out, PATH_MAX);
   if (n <= 0 || n >= PATH_MAX) return false;
   out[n] = '\0';
-  return cut_name(out);
+  return true;
 }
 
-/* The folder of the shared library that this code is part of, links resolved; false: of none, it is
- * part of the program. */
-static bool library_folder(char out[PATH_MAX])
+/* The shared library that this code is part of, links resolved; false: of none, it is part of the
+ * program. */
+static bool library_file(char out[PATH_MAX])
 {
   static const char here; /* an address of this code */
   Dl_info info;
@@ -47,7 +47,20 @@ static bool library_folder(char out[PATH_MAX])
   if (dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) == 0 || map == NULL) return false;
   const struct link_map *object = map;
   if (object->l_name == NULL || object->l_name[0] == '\0') return false;
-  return realpath(object->l_name, out) != NULL && cut_name(out);
+  return realpath(object->l_name, out) != NULL;
+}
+
+/* Their folders. */
+static bool program_folder(char out[PATH_MAX]) { return program_file(out) && cut_name(out); }
+static bool library_folder(char out[PATH_MAX]) { return library_file(out) && cut_name(out); }
+
+enum um_status um_core_data_program(struct um_context *context, char **out)
+{
+  char path[PATH_MAX];
+  *out = NULL;
+  if (!library_file(path) && !program_file(path))
+    return um_core_fail(context, UM_ERR_IO, "/proc/self/exe cannot be read; accepted: a /proc");
+  return um_core_strdup(context, path, out);
 }
 
 /* Does the folder lie in the one that this was built in, or below? */

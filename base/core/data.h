@@ -4,6 +4,10 @@
 
 #include "base/core/context.h"
 
+/* The file that this code is part of, links resolved: the program, or a shared library. The caller
+ * frees. UM_ERR_IO: the system does not say; UM_ERR_MEMORY. */
+enum um_status um_core_data_program(struct um_context *context, char **out);
+
 /* Folder `name` ("materials", "filters", "sensors", "scenarios") of the program's own files; the
  * caller frees. The first that holds: the context's data folder, where it has one
  * (um_core_context_set_data),

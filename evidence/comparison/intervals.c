@@ -11,8 +11,6 @@
 #define WINDOWS  10
 #define SHORTEST 3 /* observations */
 
-static const char *const mechanisms[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted",
-                                                           "interreflected", "other"};
 #define FLOWS 8
 static const char *const flows[FLOWS] = {"solar",     "albedo",   "planet",    "internal",
                                          "conducted", "radiated", "exchanged", "stored"};
@@ -35,7 +33,8 @@ static enum um_status light_shares(struct um_context *context,
   UM_TRY(um_core_allocate(context, r->nmaterial, sizeof *w->material, &w->material));
   w->nmechanism = UM_MECHANISM_COUNT;
   w->nmaterial = r->nmaterial;
-  for (size_t j = 0; j < w->nmechanism; j++) w->mechanism[j].name = mechanisms[j];
+  for (size_t j = 0; j < w->nmechanism; j++)
+    w->mechanism[j].name = um_optics_mechanism_name((enum um_optics_mechanism)j);
   for (size_t m = 0; m < r->nmaterial; m++)
     w->material[m].name = um_geometry_material_name(c->run.model->geometry, m);
   for (size_t i = 0; i < w->count; i++) {

@@ -10,6 +10,8 @@
 #include "evidence/comparison/residual.h"
 #include "evidence/measurements/set_group.h"
 #include "model/build/bands.h"
+#include "model/build/build.h"
+#include "model/geometry/precompute.h"
 #include "model/run/grey_body.h"
 
 /* A channel in the making. */
@@ -248,5 +250,29 @@ done:
     if (source[i].random != NULL) gsl_rng_free(source[i].random);
   um_core_free(context, source);
   um_compare_set_abandon(context, &set);
+  return status;
+}
+
+enum um_status um_compare_synth_run(struct um_context *context, const char *scenario,
+                                    const struct um_model_options *changes,
+                                    const struct um_compare_synth *options, const char *path,
+                                    struct um_compare_measurements **out)
+{
+  enum um_status status;
+  struct um_model *model = NULL;
+  struct um_model_tables *tables = NULL;
+  struct um_model_result *result = NULL;
+  struct um_compare_synth looked_at = *options;
+  *out = NULL;
+  UM_CHECK(um_model_create(context, scenario, changes, &model));
+  UM_CHECK(um_compare_synth_check(context, model, options));
+  UM_CHECK(um_model_precompute(context, model, &tables));
+  UM_CHECK(um_compare_refine(context, model, tables, UM_COMPARE_MODEL_SHARE, um_compare_synth_share,
+                             &looked_at, &result, NULL));
+  UM_CHECK(um_compare_synth_create(context, model, tables, result, options, path, out));
+done:
+  um_model_result_destroy(context, &result);
+  um_model_tables_destroy(context, &tables);
+  um_model_destroy(context, &model);
   return status;
 }

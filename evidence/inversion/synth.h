@@ -41,6 +41,14 @@ enum um_status um_compare_synth_create(struct um_context *context, const struct 
                                        const struct um_compare_synth *options, const char *path,
                                        struct um_compare_measurements **out);
 
+/* All of it: the model of a scenario with changes (NULL: none), run with as many samples as leave
+ * the noise what it is stated to be, and measured. Errors as above, and those of um_model_create,
+ * um_model_precompute and um_compare_refine. The caller destroys. */
+enum um_status um_compare_synth_run(struct um_context *context, const char *scenario,
+                                    const struct um_model_options *changes,
+                                    const struct um_compare_synth *options, const char *path,
+                                    struct um_compare_measurements **out);
+
 /* um_compare_share_of for um_compare_refine: the model's own sampling error beside the noise that
  * is to be added, which alone is stated as sigma; user: the options. */
 um_compare_share_of um_compare_synth_share;

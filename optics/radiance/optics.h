@@ -46,6 +46,8 @@ enum um_optics_mechanism {
   UM_MECHANISM_OTHER,          /* moonlight reflected once */
   UM_MECHANISM_COUNT
 };
+/* "sun", "earth", "emitted", "interreflected", "other"; borrowed for good. */
+const char *um_optics_mechanism_name(enum um_optics_mechanism mechanism);
 
 /* What a lamp lights of what the observer sees, by instants that it shines at. */
 struct um_optics_lit {

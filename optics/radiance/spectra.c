@@ -6,6 +6,13 @@
 
 #include "optics/radiance/lagrange_impl.h"
 
+const char *um_optics_mechanism_name(enum um_optics_mechanism mechanism)
+{
+  static const char *const name[UM_MECHANISM_COUNT] = {"sun", "earth", "emitted", "interreflected",
+                                                       "other"};
+  return name[mechanism];
+}
+
 #define BINS_MAX 100000
 
 /* Table [UM_OPTICS_ANGLE_NODES][n] at a cosine. */

@@ -168,7 +168,7 @@ static void test_arrays_by_number(void **state)
 static void test_names(void **state)
 {
   (void)state;
-  static const char *const expected[] = {"bus", "bus.interior", "grey_white", "vis", NULL};
+  static const char *const expected[] = {"bus", "bus.interior", "grey_white", "vis", NULL, "sun"};
   struct umbra_scenario *scenario;
   struct umbra_model *model;
   const char *const *name;
@@ -177,7 +177,7 @@ static void test_names(void **state)
   ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
   ok(umbra_model_build(umbra, scenario, &model));
   umbra_scenario_close(&scenario);
-  for (int kind = UMBRA_PARTS; kind <= UMBRA_SENSORS; kind++) {
+  for (int kind = UMBRA_PARTS; kind <= UMBRA_MECHANISMS; kind++) {
     ok(umbra_model_names(umbra, model, (enum umbra_names)kind, &name, &n));
     if (kind == UMBRA_SENSORS) assert_int_equal(n, 0);
     if (kind == UMBRA_PLACES) {
@@ -188,7 +188,7 @@ static void test_names(void **state)
     }
   }
   refused(umbra_model_names(umbra, model, (enum umbra_names)9, &name, &n), UMBRA_ERR_INPUT,
-          "accepted: 0 to 4");
+          "accepted: 0 to 5");
   umbra_model_close(&model);
 }
 

@@ -1,5 +1,6 @@
 /* Sessions of the library: callbacks, ownership, folders, threads. */
 #include <pthread.h>
+#include <time.h>
 
 #include "tests/library/session_test.h"
 
@@ -57,6 +58,38 @@ static void test_callbacks(void **state)
   refused(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario), UMBRA_ERR_CANCELLED,
           "cancelled");
   assert_int_equal(heard.asked, 1);
+}
+
+static void *interrupt_soon(void *self)
+{
+  (void)self;
+  struct timespec tenth = {.tv_nsec = 100000000};
+  nanosleep(&tenth, NULL);
+  umbra_interrupt(umbra);
+  return NULL;
+}
+
+/* Another thread ends a call; the next call works. */
+static void test_interrupt(void **state)
+{
+  (void)state;
+  pthread_t thread;
+  struct umbra_scenario *scenario;
+  struct umbra_model *model;
+  struct umbra_result *result;
+  command_copy_data("box.yaml");
+  ok(umbra_scenario_read(umbra, "box.yaml", NULL, &scenario));
+  umbra_interrupt(umbra); /* nothing is under way */
+  ok(umbra_scenario_set(umbra, scenario, "time.stop_utc", "2016-09-07T18:11:00Z"));
+  ok(umbra_scenario_set(umbra, scenario, "time.step_s", "2"));
+  ok(umbra_model_build(umbra, scenario, &model));
+  assert_int_equal(pthread_create(&thread, NULL, interrupt_soon, NULL), 0);
+  refused(umbra_run(umbra, model, &result), UMBRA_ERR_CANCELLED, "cancelled");
+  assert_int_equal(pthread_join(thread, NULL), 0);
+  umbra_model_close(&model);
+  umbra_scenario_close(&scenario);
+  result = session_run_box();
+  umbra_result_close(&result);
 }
 
 /* Objects are closed in any order, the session first. */
@@ -230,6 +263,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_callbacks, session_enter, session_leave),
+      cmocka_unit_test_setup_teardown(test_interrupt, session_enter, session_leave),
       cmocka_unit_test_setup_teardown(test_ownership, session_enter, session_leave),
       cmocka_unit_test_setup_teardown(test_cache_folder, session_enter, session_leave),
       cmocka_unit_test_setup_teardown(test_threads, session_enter, session_leave),
