@@ -2,6 +2,7 @@
 # make test   build and run the tests
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
 # make install [PREFIX=/usr/local] [DESTDIR=...]   program, library, materials, scenarios, headers, man page, documents
+# make docs   all pages as a site, build/site/index.html, with a reference that the program prints
 # make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
 # make demo-study   what rules ENVISAT's light: emittance of its cells, heat inside, MLI; 1000 points
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
@@ -16,7 +17,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks clean
+.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks docs clean
 
 all: program
 
@@ -43,11 +44,16 @@ demo-study: program
 	$(BUILD)/umbra study scenarios/envisat-graz-2016/study.yaml --out out/envisat-study
 
 test: build
+	@tools/install-deps --docs
 	tools/run-tests $(BUILD) -j $(JOBS)
 
 install: program
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
 	@echo "installed: $(DESTDIR)$(PREFIX)/bin/umbra"
+
+docs: program
+	@tools/install-deps --docs
+	@$(firstword $(wildcard /usr/bin/python3) python3) tools/docs/build.py $(BUILD)
 
 lab: build
 	$(BUILD)/tests/lab/lab --out out/lab $(LAB)
