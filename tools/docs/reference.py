@@ -126,7 +126,7 @@ def comment_text(comment):
 def c_interface(header, folder):
     """The contracts of umbra.h in its order: a comment at the margin, then what it is about."""
     source = header.read_text(encoding="utf-8")
-    text = "# C\n\nThe contracts of `umbra.h`, in the order of the header. [An example](../examples/c/lightcurve.c).\n"
+    text = "# C interface\n\nThe contracts of `umbra.h`, in the order of the header. [An example](../examples/c/lightcurve.c).\n"
     for piece in re.split(r"(^/\*.*?\*/$)", source, flags=re.M | re.S):
         title = re.match(r"/\* --- (.*?) -+ \*/", piece)
         if title:
