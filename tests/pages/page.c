@@ -6,6 +6,8 @@
  * must be in what the command printed, in that order.
  *   ```yaml title="file"   is written to that file.
  *   <!-- status 4 -->      commands of the next block end with that exit status, in place of 0.
+ *   <!-- picture A B -->   A is a picture that the commands made, B the same beside the page. With
+ *                          UMBRA_WRITE_DOCS set it is made anew of A.
  *
  * Words are compared as they are, numbers to two units of the last digit that the page prints: what
  * another compiler may move in a fit of four digits. A page may leave lines out, never a part of
@@ -164,6 +166,25 @@ static void fence(struct block *block, const char *line)
   block->other = !block->console && block->file == NULL;
 }
 
+/* A picture of the page: its commands made it, and it is there. */
+static void picture(const char *line, int number)
+{
+  static char command[4 * LINE];
+  char from[256], to[256];
+  if (sscanf(line, "<!-- picture %255s %255s -->", from, to) != 2) return;
+  const char *slash = strrchr(page_name, '/');
+  int length = slash == NULL ? 0 : (int)(slash - page_name + 1);
+  int n = snprintf(command, sizeof command, "test -s '%s/%s/%s' && ", folder, where, from);
+  if (getenv("UMBRA_WRITE_DOCS") != NULL)
+    n += snprintf(command + n, sizeof command - (size_t)n, "cp '%s/%s/%s' ", folder, where, from);
+  else
+    n += snprintf(command + n, sizeof command - (size_t)n, "test -s ");
+  snprintf(command + n, sizeof command - (size_t)n, "'%s/%.*s%s'", UMBRA_SOURCE_DIR, length,
+           page_name, to);
+  if (system(command) != 0)
+    fail_msg("%s:%d: no picture %s, or none beside the page", page_name, number, from);
+}
+
 static void page_is_true(void **state)
 {
   (void)state;
@@ -182,8 +203,8 @@ static void page_is_true(void **state)
       assert_true(fputs(line, block.file) >= 0);
     else if (block.console)
       console_line(&block, line, number);
-    else
-      (void)sscanf(line, "<!-- status %d -->", &wanted);
+    else if (sscanf(line, "<!-- status %d -->", &wanted) != 1)
+      picture(line, number);
   }
   fclose(page);
   assert_false(block.console || block.other || block.goes_on);
