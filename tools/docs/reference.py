@@ -44,6 +44,8 @@ def block(text, kind="text"):
 def commands(program, folder):
     """A page a command, with its help, in the order of the program."""
     names = re.findall(r"^\*umbra ([a-z]+)\*$", program.ask("help of all"), re.M)
+    if not names:
+        raise SystemExit("umbra help all names no command as *umbra NAME*")
     pages = []
     for name in names:
         text = f"# umbra {name}\n\n" + block(program.ask("help", name))
