@@ -2,6 +2,7 @@
 # make test   build and run the tests
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
 # make install [PREFIX=/usr/local] [DESTDIR=...]   program, library, materials, scenarios, headers, man pages, documents
+# make docs   all pages as a site, build/site/index.html, with a reference that the program prints
 # make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
 # make demo-study   what rules ENVISAT's light: emittance of its cells, heat inside, MLI; 1000 points
 # make bench  benchmarks as ratios;  make check  static checks and sanitizers (what CI runs)
@@ -16,7 +17,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks clean
+.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks docs clean
 
 all: program
 
@@ -37,17 +38,23 @@ build: configure
 demo: program
 	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016 \
 		--picture 2016-09-21T20:33:00Z --picture first-light
-	@echo "pictures: out/envisat-graz-2016/*.png; every wavelength of two views: out/envisat-graz-2016/*.exr"
+	@echo "to look at: out/envisat-graz-2016/report.html; pictures: *.png; every wavelength of two views: *.exr"
 
 demo-study: program
 	$(BUILD)/umbra study scenarios/envisat-graz-2016/study.yaml --out out/envisat-study
 
-test: build
+test:
+	@tools/install-deps --tests
+	@$(MAKE) --no-print-directory build
 	tools/run-tests $(BUILD) -j $(JOBS)
 
 install: program
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
 	@echo "installed: $(DESTDIR)$(PREFIX)/bin/umbra"
+
+docs: program
+	@tools/install-deps --docs
+	@$(firstword $(wildcard /usr/bin/python3) python3) tools/docs/build.py $(BUILD)
 
 lab: build
 	$(BUILD)/tests/lab/lab --out out/lab $(LAB)

@@ -20,7 +20,7 @@
 
 #include "environment/standard_air.h"
 
-#define REFRACTIVITY  2.92e-4   /* n - 1 of air on the ground, 0.55 um, 0 deg C: PHYSICS B.4 */
+#define REFRACTIVITY  2.92e-4   /* n - 1 on the ground, 0.55 um, 0 deg C: docs/physics/shadow.md */
 #define POINTS        400       /* along half a ray */
 #define LONGEST       1600e3    /* [m] of half a ray: 200 km above its lowest point */
 #define DIFFERENCE    10.0      /* [m] of height */

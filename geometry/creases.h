@@ -1,4 +1,5 @@
-/* Surfaces of sheet that hangs in flat patches, each tilted a little: creased MLI (PHYSICS.md D.9).
+/* Surfaces of sheet that hangs in flat patches, each tilted a little: creased MLI
+ * (docs/physics/creases.md).
  *
  * The plane of a facet is cut into squares along its grain and across it. A square's slopes are
  *

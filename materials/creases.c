@@ -1,5 +1,5 @@
-/* A lobe on a surface that is creased (PHYSICS.md D.9): facets tilted further at random, and the
- * light of patches that each have a tilt of their own (lobe.h has the equation).
+/* A lobe on a surface that is creased (docs/physics/creases.md): facets tilted further at random,
+ * and the light of patches that each have a tilt of their own (lobe.h has the equation).
  *
  * Normal slopes of patches, variance s^2 per axis, and of facets, alpha^2/2, add up to those of
  * alpha_eff^2 = alpha^2 + 2 s^2 in the mean over patches, without approximation: what is drawn here

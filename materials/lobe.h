@@ -94,9 +94,9 @@ struct um_materials_lobe_kind {
 };
 
 /* A lobe of which the facets are tilted further, by slopes of a mean square per axis: alpha^2 + 2
- * s^2 (D.9), exact for Beckmann's, whose facets have normal slopes: those of two heights that are
- * added add. A mirror becomes Beckmann's of that alpha; kinds without roughness stay, and all with
- * 0. */
+ * s^2 (docs/physics/creases.md), exact for Beckmann's, whose facets have normal slopes: those of
+ * two heights that are added add. A mirror becomes Beckmann's of that alpha; kinds without
+ * roughness stay, and all with 0. */
 struct um_materials_lobe um_materials_lobe_tilted(const struct um_materials_lobe *lobe,
                                                   double slope_variance);
 

@@ -28,7 +28,7 @@ static inline bool um_materials_lobe_is_tabulated(const struct um_materials_lobe
 }
 
 /* A lobe of normal slopes, or one like it, that the disc of the Sun widens: alpha^2 + theta_s^2/8
- * (D.3). */
+ * (docs/physics/roughness-and-lobes.md). */
 static inline struct um_materials_lobe
 um_materials_lobe_widened(const struct um_materials_lobe *lobe, double sun_radius)
 {

@@ -109,10 +109,11 @@ bool um_materials_is_grey(const struct um_materials_record *record);
 
 /* --- optics; wavelength [m], cosines of angles from the normal; adjustment NULL for none -------
  * f_r(i, o, lambda) = R/pi + M(i) M(o)/(pi <M>) + F(cos_d, lambda) f(i, o)
- * with f the record's lobe (lobe.h; by default Cook-Torrance with Beckmann's facets, D.3 of the
- * notes), R the Lambert part and M what the masking of the lobe keeps back, so that f_r integrates
- * to 1 - emissivity in every direction; a grey record's numbers are taken as given: its M is 0, its
- * lobe exists below 2.5 um only. Spectral look-ups are tabulated: about 20 ns each. */
+ * with f the record's lobe (lobe.h; by default Cook-Torrance with Beckmann's facets,
+ * docs/physics/roughness-and-lobes.md), R the Lambert part and M what the masking of the lobe keeps
+ * back, so that f_r integrates to 1 - emissivity in every direction; a grey record's numbers are
+ * taken as given: its M is 0, its lobe exists below 2.5 um only. Spectral look-ups are tabulated:
+ * about 20 ns each. */
 /* rho_d = R + <M>: what is scattered of light from all sides. */
 double um_materials_diffuse_reflectance(const struct um_materials_record *record,
                                         const struct um_materials_adjustment *adjustment,

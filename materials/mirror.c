@@ -1,9 +1,10 @@
 /* What a record mirrors, of what it reflects.
  *
- * A lobe of Beckmann alpha a is 2 atan a wide from its middle to 1/e (D.3): 11 deg at the limit.
- * A mixture mirrors nothing here: part of it may be as wide as a Lambert surface.
- * Patches of a satellite see each other under such angles and more, so that what the lobe spreads
- * mostly stays with the patch that a mirror would send it to. Of the reflected
+ * A lobe of Beckmann alpha a is 2 atan a wide from its middle to 1/e
+ * (docs/physics/roughness-and-lobes.md): 11 deg at the limit. A mixture mirrors nothing here: part
+ * of it may be as wide as a Lambert surface. Patches of a satellite see each other under such
+ * angles and more, so that what the lobe spreads mostly stays with the patch that a mirror would
+ * send it to. Of the reflected
  *
  *   rho_d + <F>,   <F> = <F E> + <M>,
  *

@@ -1,4 +1,4 @@
-/* From heights to alpha (D.2 of the physics notes).
+/* From heights to alpha (docs/physics/roughness-and-lobes.md).
  *
  *   Rq^2 = <h^2>,  C(s) = <h(r) h(r + s)>/Rq^2,  tau: the shortest s with C = 0.2
  *   alpha = sqrt(2) Rq/tau                    reproduces Table 1 of the Flying Laptop paper

@@ -5,7 +5,7 @@
 /* Spectral radiance B_lambda(T) [W/m^2/sr/m]; 0 for T <= 0. Planck's law. */
 double um_core_planck_radiance(double wavelength /* [m] */, double temperature /* [K] */);
 /* Fraction of sigma T^4 below lambda T: Chang & Rhee 1984 series, and the power series for small
- * z (C.8 of the physics notes); relative accuracy 1e-12 over 0..1. x = lambda T [m K]. */
+ * z (docs/physics/thermal-emission.md); relative accuracy 1e-12 over 0..1. x = lambda T [m K]. */
 double um_core_planck_fraction(double lambda_t /* [m K] */);
 /* Band radiance [W/m^2/sr] of a black body between two wavelengths. */
 double um_core_planck_band(double from /* [m] */, double to /* [m] */,

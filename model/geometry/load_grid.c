@@ -7,7 +7,7 @@
  * thermal.step_s says how far: of a body that turns they still have the right mean over its turns,
  * where trapezoids of what is periodic have no error but that of its harmonics beyond their number,
  * and what the surfaces missed within a turn they forget. Observed instants that stand closer than
- * rows need to are the only rows there. docs/physics.md, C.6, has what both leave.
+ * rows need to are the only rows there. docs/physics/heat-in-time.md has what both leave.
  *
  * Of sparse loads observed instants are no rows. */
 #include "model/geometry/load_grid_impl.h"

@@ -1,5 +1,6 @@
-/* Phase vector to latitude, longitude, phase angle and plane, and back (D.10 of the physics notes;
- * Kucharski et al. and the Flying Laptop paper draw the first two). */
+/* Phase vector to latitude, longitude, phase angle and plane, and back
+ * (docs/physics/reflectivity-map.md; Kucharski et al. and the Flying Laptop paper draw the first
+ * two). */
 #include "model/products/phase_vector.h"
 
 #include "base/core/constants.h"

@@ -1,7 +1,7 @@
 /* Tolerances of the integration in time from the accuracy that is wanted. Measured on ENVISAT's
- * pass against 1e-8 and 1e-6 K (docs/physics.md): tolerances of 1e-4 / K and 1e-2 of an accuracy
- * leave it in the worst facet within a factor of 1.4, from 0.002 K to 0.1 K, and a quarter of it
- * in the means of parts. */
+ * pass against 1e-8 and 1e-6 K (docs/physics/heat-in-time.md): tolerances of 1e-4 / K and 1e-2 of
+ * an accuracy leave it in the worst facet within a factor of 1.4, from 0.002 K to 0.1 K, and a
+ * quarter of it in the means of parts. */
 #include "model/scenario/tolerances.h"
 
 #include <math.h>

@@ -37,7 +37,7 @@ struct um_instrument_aperture_sum {
 /* Share of the pixel about (i, j) that lies in a circle of radius r about (x, y), exact [1]. */
 double um_instrument_pixel_share(double i, double j, double x, double y, double r);
 
-/* By the CCD equation (Merline & Howell 1995, Exp. Astron. 6:163; D.7 of the notes), in electrons:
+/* By the CCD equation (Merline & Howell 1995; docs/physics/noise.md), in electrons:
  *   variance = S + n (1 + c n/n_a) (B + R^2 + g^2/12),
  * S source, n pixels of the circle, n_a of the annulus, B sky and dark current of a pixel, R read
  * noise, g^2/12 of whole counts; c = 1 for the mean. The median of many Gaussian deviations has c =

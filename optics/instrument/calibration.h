@@ -21,7 +21,7 @@ struct um_instrument_calibration {
 };
 
 /* Weighted least squares of
- *   -2.5 log10(measured/predicted) = -2.5 log10 kappa + k X            (D.6 of the notes)
+ *   -2.5 log10(measured/predicted) = -2.5 log10 kappa + k X            (docs/physics/instrument.md)
  * to n stars. extinction: NAN, or k as it is known, then kappa alone is fitted. UM_ERR_INPUT with
  * the index of the star in *at where it is one (n: none): fewer than two stars (one with a known
  * extinction), a count, a sigma, a prediction or an airmass that is not above 0, all airmasses the

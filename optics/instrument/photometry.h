@@ -15,8 +15,9 @@ struct um_instrument_bins {
 double um_instrument_irradiance(const struct um_instrument_bins *bins, const double *spectral);
 /* AB magnitude, photon counting:
  *   m = -2.5 log10( int E T lambda d lambda / int (3631 Jy c/lambda^2) T lambda d lambda )
- * with E and T constant in each bin, so exact for the bins given (Oke & Gunn 1983; D.6 of the
- * notes). INFINITY for zero irradiance, NaN for negative irradiance or no bins. */
+ * with E and T constant in each bin, so exact for the bins given (Oke & Gunn 1983;
+ * docs/physics/instrument.md). INFINITY for zero irradiance, NaN for negative irradiance or no
+ * bins. */
 double um_instrument_magnitude_ab(const struct um_instrument_bins *bins, const double *spectral);
 /* AB magnitude of Vega in that band, so that m_Vega = m_AB - this, Vega itself having 0 (Vegamag;
  * Johnson's V gives it 0.03). NaN where the band leaves 0.12-40 um. */

@@ -28,7 +28,7 @@ struct um_instrument_sensor {
 double um_instrument_area(const struct um_instrument_sensor *sensor);
 /* Counts per second of irradiance per bin,
  *   C = (A/g) int E T lambda/(h c) d lambda,
- * where T of the bins holds filter, optics and quantum efficiency (D.6 of the notes). */
+ * where T of the bins holds filter, optics and quantum efficiency (docs/physics/instrument.md). */
 double um_instrument_count_rate(const struct um_instrument_sensor *sensor,
                                 const struct um_instrument_bins *bins, const double *spectral);
 /* The same of a source of AB magnitude 0. */

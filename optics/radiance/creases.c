@@ -7,7 +7,7 @@
 /* Patches of a surface that mirror at once, N_eff: the mean of N patches varies by 1/sqrt(N_eff) of
  * itself where it is largest. With the variances v of a patch's own slopes, v = alpha^2/2, and s^2
  * of the tilts, the variance of one patch over the square of its mean is s^4/(v (v + 2 s^2)), for
- * wide tilts s^2/alpha^2 (D.9). */
+ * wide tilts s^2/alpha^2 (docs/physics/creases.md). */
 static double patches_in_beam(const struct um_materials_record *record, double area,
                               const struct um_geometry_creasing *creasing)
 {

@@ -2,11 +2,12 @@
  *
  * A skin is a material as it is on some surfaces: creased by some tilt, or flat. Spectra are made
  * skin by skin, as geometry and spectra factor within one. A creased surface has the lobe of its
- * record widened by the tilt, alpha^2 + 2 s^2 (D.9), wherever many patches count together: to the
- * Earth's light, for what masking keeps back, in inter-reflection. Toward the Sun it has its
- * patches one by one, so that glints come and go with them; where more than UM_OPTICS_PATCHES_MANY
- * of a facet's patches mirror at once, which is 1 % of Poisson's fluctuation, the widened lobe
- * stands for them there too. What is absorbed and emitted is that of the flat surface. */
+ * record widened by the tilt, alpha^2 + 2 s^2 (docs/physics/creases.md), wherever many patches
+ * count together: to the Earth's light, for what masking keeps back, in inter-reflection. Toward
+ * the Sun it has its patches one by one, so that glints come and go with them; where more than
+ * UM_OPTICS_PATCHES_MANY of a facet's patches mirror at once, which is 1 % of Poisson's
+ * fluctuation, the widened lobe stands for them there too. What is absorbed and emitted is that of
+ * the flat surface. */
 #ifndef UMBRA_OPTICS_CREASES_H
 #define UMBRA_OPTICS_CREASES_H
 

@@ -1,5 +1,5 @@
-/* L_r/L_E of a lobe (PHYSICS D.5): directions i are sampled as its kind says (materials/lobe.h),
- * facets h of Beckmann's so that
+/* L_r/L_E of a lobe (docs/physics/earthlight.md): directions i are sampled as its kind says
+ * (materials/lobe.h), facets h of Beckmann's so that
  *
  *   tan^2(theta_h) = -alpha^2 ln(1 - u),  u and phi uniform,
  *

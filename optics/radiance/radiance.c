@@ -1,4 +1,5 @@
-/* Radiance of surfaces toward the observer (D.1, D.3, D.5 of the physics notes):
+/* Radiance of surfaces toward the observer (docs/physics/light-curves.md,
+ * docs/physics/roughness-and-lobes.md and docs/physics/earthlight.md):
  *
  *   lamp     E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
  *            and air leave of the Sun (environment/shadow_light.h)

@@ -1,5 +1,5 @@
 /* Light of the Earth in the radiance of a surface: its sunlit ground and its own radiation, in the
- * lobe and beside it (D.5 of the physics notes; radiance.c has the whole sum). */
+ * lobe and beside it (docs/physics/earthlight.md; radiance.c has the whole sum). */
 #include <math.h>
 #include <string.h>
 

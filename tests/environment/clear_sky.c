@@ -73,8 +73,9 @@ static void test_band(void **state)
 }
 
 /* Without water, ozone and aerosol Rayleigh is left in the blue: exp(-0.221106) at 0.45 um
- * (Bodhaine 1999; D.6); elevation 20 deg, Rayleigh at 0.55 um and aerosol 0.1: 0.56433 (D.6). Thick
- * air is black and glows as the ground; no air does neither. */
+ * (Bodhaine 1999; docs/physics/air.md); elevation 20 deg, Rayleigh at 0.55 um and aerosol 0.1:
+ * 0.56433. Thick air is black and glows as the ground; no air does neither.
+ */
 static void test_limits(void **state)
 {
   (void)state;

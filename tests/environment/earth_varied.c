@@ -1,7 +1,7 @@
 /* What an Earth that differs from place to place sends to plates.
  *
  * Knocke's Earth above ENVISAT's orbit by 2.9 million areas of the cap, computed independently
- * (docs/physics.md, C.6); any plate against areas here; a whole sphere of plates round the Earth,
+ * (docs/physics/loads.md); any plate against areas here; a whole sphere of plates round the Earth,
  * which receives all that it emits; a half of the Earth that is brighter than the other. */
 #include "check.h"
 

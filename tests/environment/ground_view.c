@@ -1,5 +1,5 @@
 /* What places of the Earth reflect and emit: Knocke's model against values computed independently
- * (docs/physics.md, C.6), calendar, window temperatures, and the region that differs. */
+ * (docs/physics/loads.md), calendar, window temperatures, and the region that differs. */
 #include "check.h"
 
 #include "base/core/constants.h"

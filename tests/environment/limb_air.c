@@ -41,8 +41,9 @@ static double exponential_density(const void *self, enum um_environment_limb_con
   return exponential(self, height);
 }
 
-/* (n0 - 1) sqrt(2 pi R/H) = 71.05' and sqrt(2 pi R/H) = 70.78 on the ground (PHYSICS B.4), falling
- * by e in H; the next term of both is of order H/R: 3/8 H/R = 5e-4 for the column (Chapman). */
+/* (n0 - 1) sqrt(2 pi R/H) = 71.05' and sqrt(2 pi R/H) = 70.78 on the ground
+ * (docs/physics/shadow.md), falling by e in H; the next term of both is of order H/R: 3/8 H/R =
+ * 5e-4 for the column (Chapman). */
 static void exponential_air(void **state)
 {
   static struct um_environment_limb_air air;
@@ -61,7 +62,7 @@ static void exponential_air(void **state)
   }
 }
 
-/* Optical depths of Bodhaine et al. as PHYSICS D.6 prints them; ozone at 602 nm absorbs
+/* Optical depths of Bodhaine et al. as docs/physics/air.md prints them; ozone at 602 nm absorbs
  * 5.1e-25 m^2 in its peak, 4.7e-25 in a mean over 20 nm: 0.0376 of 300 Dobson units. */
 static void depths(void **state)
 {

@@ -1,4 +1,4 @@
-/* Sunlight through the Earth's limb, against the closed forms of PHYSICS B.4. */
+/* Sunlight through the Earth's limb, against the closed forms of docs/physics/shadow.md. */
 #include "environment/shadow_light.h"
 
 #include "base/core/constants.h"
@@ -63,7 +63,7 @@ static double at(const struct um_environment *e, double theta, double wavelength
 }
 
 /* The same by plain sums: 4000 strips of the disc, each from the height whose ray is bent to it,
- * found by bisection; columns and bending as PHYSICS B.4 has them, exponential. */
+ * found by bisection; columns and bending as docs/physics/shadow.md has them, exponential. */
 static double by_strips(double theta, double wavelength)
 {
   double depth[UM_LIMB_CONSTITUENTS], sum = 0.0, norm = 0.0;
@@ -89,8 +89,9 @@ static double by_strips(double theta, double wavelength)
   return sum / norm;
 }
 
-/* Strips: 6e-4, of which 5e-4 are columns to first order in H/R. B.4 prints what heights h - D
- * alpha over a plane limb give, 0.006 above a fine sum of its own formula at 64 deg (0.8229). */
+/* Strips: 6e-4, of which 5e-4 are columns to first order in H/R. docs/physics/shadow.md prints what
+ * heights h - D alpha over a plane limb give, 0.006 above a fine sum of its own formula at 64 deg
+ * (0.8229). */
 static void exponential_disc(void **state)
 {
   static struct um_environment_limb limb;

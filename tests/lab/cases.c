@@ -1,5 +1,6 @@
-/* What is hidden: for each effect a target in each pass and values of plausible size (PHYSICS.md,
- * part F), one below and one above the scenario's, chosen so that the noise does not hide it. */
+/* What is hidden: for each effect a target in each pass and values of plausible size
+ * (docs/physics/residuals.md), one below and one above the scenario's, chosen so that the noise
+ * does not hide it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

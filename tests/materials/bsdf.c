@@ -1,5 +1,6 @@
-/* Fresnel, sheets, Beckmann facets against the tables of the physics notes (D.2-D.4), closed forms
- * and independent quadrature. */
+/* Fresnel, sheets, Beckmann facets against the tables of docs/physics/roughness-and-lobes.md
+ * and docs/physics/fresnel.md, closed forms and independent
+ * quadrature. */
 #include "check.h"
 
 #include "base/core/constants.h"
@@ -7,7 +8,7 @@
 
 static double cos_deg(double angle) { return cos(angle * UM_DEG); }
 
-/* Born & Wolf 1.5; D.4 of the notes, six decimals, hence 1e-6 (Brewster and normal incidence
+/* Born & Wolf 1.5; docs/physics/fresnel.md, six decimals, hence 1e-6 (Brewster and normal incidence
  * exact). */
 static void fresnel_table(void **state)
 {
@@ -31,7 +32,8 @@ static void fresnel_table(void **state)
   check_near("Brewster", um_materials_fresnel(n, 0.0, 1.0 / sqrt(1.0 + n * n)), 0.5 * s * s, 1e-14);
 }
 
-/* 2 int (1 - R) c dc by midpoints in u, c = u^2; 4000 points hold 1e-6. D.4 gives six decimals. */
+/* 2 int (1 - R) c dc by midpoints in u, c = u^2; 4000 points hold 1e-6. docs/physics/fresnel.md
+ * gives six decimals. */
 static void hemispherical_emissivity(void **state)
 {
   (void)state;
@@ -117,7 +119,8 @@ static void roughness_table(void **state)
 
 static const double alphas[] = {0.0296, 0.265, 0.326, 0.513};
 
-/* D.3: seven digits are printed there, half a unit of the last is up to 4.2e-7. */
+/* docs/physics/roughness-and-lobes.md: seven digits are printed there, half a unit of the last is
+ * up to 4.2e-7. */
 static void beckmann_table(void **state)
 {
   (void)state;

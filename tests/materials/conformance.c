@@ -387,7 +387,8 @@ static double albedo(const char *kind, double alpha, bool correlated, double zen
   return um_materials_lobe_quadrature(&lobe, direction(zenith * UM_DEG, 0.0), 512, 256, NULL, NULL);
 }
 
-/* D.3 of the notes: Beckmann, good to 1.5e-4 by their own grid; separable and height-correlated. */
+/* docs/physics/roughness-and-lobes.md: Beckmann, good to 1.5e-4 by their own grid; separable and
+ * height-correlated. */
 static void furnace(void **state)
 {
   static const double alpha[] = {0.0296, 0.265, 0.326, 0.513};
@@ -484,7 +485,7 @@ static void ggx_under_the_sun(void **state)
     }
 }
 
-/* D.1: L = F E/Omega_sun inside the disc, and its edge. */
+/* docs/physics/light-curves.md: L = F E/Omega_sun inside the disc, and its edge. */
 static void mirror_shows_the_sun(void **state)
 {
   struct um_materials_lobe lobe = {

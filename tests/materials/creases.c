@@ -31,8 +31,8 @@ static struct um_materials_lobe lobe_of(const char *kind, double alpha)
       .kind = um_materials_lobe_kind_find(kind), .alpha = alpha, .alpha_across = alpha};
 }
 
-/* PHYSICS.md D.9: alpha 0.0296 with tilts of 1, 3, 5, 10 deg; peaks thinner by (alpha/alpha_eff)^2;
- * the figures are rounded there. */
+/* docs/physics/creases.md: alpha 0.0296 with tilts of 1, 3, 5, 10 deg; peaks thinner by
+ * (alpha/alpha_eff)^2; the figures are rounded there. */
 static void equivalent_roughness(void **state)
 {
   static const struct {
@@ -119,9 +119,9 @@ static void the_mean_is_the_wider_lobe(void **state)
 }
 
 /* A shower of glints: the light of N patches toward their common normal varies from seed to seed as
- * that of N_eff = N v (v + 2 s^2)/s^4 events, v = alpha^2/2; for wide tilts N (alpha/s)^2 (D.9).
- * 400 seeds hold the variance within 4 sqrt((2 + kurtosis)/400), the excess kurtosis of a sum of N
- * patches being that of one over N: measured below 0.2 here. */
+ * that of N_eff = N v (v + 2 s^2)/s^4 events, v = alpha^2/2; for wide tilts N (alpha/s)^2
+ * (docs/physics/creases.md). 400 seeds hold the variance within 4 sqrt((2 + kurtosis)/400), the
+ * excess kurtosis of a sum of N patches being that of one over N: measured below 0.2 here. */
 static void glints_fluctuate(void **state)
 {
   enum { SEEDS = 400, N = 4000 };

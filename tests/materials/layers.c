@@ -170,8 +170,8 @@ static void thickened(void **state)
   um_materials_record_destroy(&bare);
 }
 
-/* Published (Gilmore, ch. 4 and D.4 of the notes): aluminised Kapton of 25 um has 0.36-0.40 and
- * 0.55-0.64, of 50 um 0.41-0.46 and 0.71-0.78, so that emittance grows by 1.11 to 1.42 when the
+/* Published (Gilmore, ch. 4 and docs/physics/fresnel.md): aluminised Kapton of 25 um has 0.36-0.40
+ * and 0.55-0.64, of 50 um 0.41-0.46 and 0.71-0.78, so that emittance grows by 1.11 to 1.42 when the
  * thickness doubles. The record of 25.4 um lies low in its range (hemispherical 0.548), so does
  * what is made of it; absorptance is within. Without its film it is aluminium. */
 static void published_thicknesses(void **state)

@@ -40,7 +40,8 @@ static void a_wave(void **state)
   check_near("Rq", r.rq / (0.3e-6 / sqrt(2.0)), 1.0, 1e-3);
   check_near("tau", r.tau / (acos(0.2) / k * 1e-6), 1.0, 2e-3);
   check_near("alpha", r.alpha, sqrt(2.0) * r.rq / r.tau, 1e-15);
-  check_near("alpha, Gaussian", r.alpha_gaussian / r.alpha, 1.794, 5e-4); /* D.2 of the notes */
+  /* docs/physics/roughness-and-lobes.md */
+  check_near("alpha, Gaussian", r.alpha_gaussian / r.alpha, 1.794, 5e-4);
   um_materials_heights_free(context, &h);
 }
 

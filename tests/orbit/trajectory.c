@@ -76,7 +76,7 @@ static void circular_orbit(void **state)
     assert_ok(context, um_orbit_trajectory_create_circular(context, epoch, 408e3, 6371e3,
                                                            beta * UM_DEG, 0.0, &orbit));
     double period = um_orbit_trajectory_period(orbit), nearest = -2.0;
-    /* PHYSICS: Kepler's own period at 6371 + 408 km is 5554.685 s */
+    /* Kepler's own period at 6371 + 408 km is 5554.685 s */
     assert_close(period, 5554.685, 1e-3);
     for (int k = 0; k < 100; k++) {
       assert_ok(context,

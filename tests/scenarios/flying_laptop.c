@@ -11,7 +11,8 @@
 #define SCENARIO           UMBRA_SOURCE_DIR "/scenarios/flying-laptop"
 #define QUANTUM_EFFICIENCY UMBRA_SOURCE_DIR "/optics/instrument/sensors/zyla-5.5.csv"
 
-/* Raxus Prime, Table 1, printed to three digits; below 0.8 %: rounding of Rq and tau (D.2). */
+/* Raxus Prime, Table 1, printed to three digits; below 0.8 %: rounding of Rq and tau
+ * (docs/physics/roughness-and-lobes.md). */
 static void slopes(void **state)
 {
   (void)state;

@@ -172,8 +172,8 @@ static void test_air(void **state)
 }
 
 /* A thermal imager's background: 0.5 m, 2 arcsec pixels, quantum efficiency 0.7, throughput 0.6,
- * optics of emissivity 0.3 at 280 K, by the photon radiance of 8-12 um at 280 K (C.8 of the notes,
- * 1.371287e21 1/s/m^2/sr); air adds its own glow. */
+ * optics of emissivity 0.3 at 280 K, by the photon radiance of 8-12 um at 280 K
+ * (docs/physics/thermal-emission.md, 1.371287e21 1/s/m^2/sr); air adds its own glow. */
 static void test_glow(void **state)
 {
   (void)state;

@@ -164,7 +164,7 @@ static void test_two(void **state)
 }
 
 /* Sunlight that is not absorbed because it became electricity, or because less is absorbed: without
- * the visible band, nobody knows (PHYSICS.md F, 5 and 7). */
+ * the visible band, nobody knows (docs/physics/residuals.md, 5 and 7). */
 static void test_group(void **state)
 {
   (void)state;

@@ -80,7 +80,8 @@ static void tables_are_the_lumped_walls(void **state)
 }
 
 /* A plate of two sides as nodes "front" and "back", or by its group's name with one node for both;
- * a radiative conductance inside: PHYSICS C.4's panel has U = 50 W/m2/K through it. */
+ * a radiative conductance inside: docs/physics/conduction.md's panel has U = 50 W/m2/K through it.
+ */
 static void two_sides(void **state)
 {
   (void)state;

@@ -50,7 +50,7 @@ static void core_conducts(void **state)
 
 /* Seams of 9 m at 0.02 W/m/K around a cube of 6 faces of 1 m2, of which one has its own blanket:
  * what five let through more than without is 0.18 W/K / 5 m2 on each. Doenecke's e* as
- * docs/physics.md C.3 prints it, at the mean temperature of wall and skin. */
+ * docs/physics/mli.md prints it, at the mean temperature of wall and skin. */
 static void blanket_has_seams(void **state)
 {
   (void)state;

@@ -72,7 +72,7 @@ static void test_preset_is_its_keys(void **state)
   um_model_destroy(context, &m);
 }
 
-/* D.8 of the physics notes: half a metre, pixels of 2 arcsec, efficiency 0.7, optics 0.6, 3.00e9
+/* docs/physics/noise.md: half a metre, pixels of 2 arcsec, efficiency 0.7, optics 0.6, 3.00e9
  * electrons per second and pixel of mirrors at 283 K that emit 0.15 and a sky of 0.15 at 270 K. */
 static void test_cooled_background(void **state)
 {

@@ -1,5 +1,5 @@
-/* Directions of Sun and observer as a map has them. The three pairs are D.10 of the physics notes,
- * computed there independently. */
+/* Directions of Sun and observer as a map has them. The three pairs are
+ * those of docs/physics/reflectivity-map.md, computed there independently. */
 #include "model/products/phase_vector.h"
 
 #include "base/core/constants.h"

@@ -1,4 +1,4 @@
-/* Reflectivity maps of bodies with closed forms (D.10 of the physics notes), and looking up:
+/* Reflectivity maps of bodies with closed forms (docs/physics/reflectivity-map.md), and looking up:
  *
  *   gamma 0:  M(p) = sum A cos^2 f V;  Lambert, f = rho/pi; sphere 2 rho R^2/3 everywhere; at gamma
  *             times [sin g + (pi - g) cos g]/pi

@@ -4,7 +4,7 @@
  *   umbra            0        1/2      1         sunlit
  *
  * Geometry and events: computed with astropy, Skyfield and sgp4 by people who did not write this
- * program (physics notes B.5); software checks, since the TLE is 15 days old. */
+ * program (docs/physics/orbit.md); software checks, since the TLE is 15 days old. */
 #include <math.h>
 #include <string.h>
 
@@ -64,7 +64,7 @@ static int release(void **state)
   return 0;
 }
 
-/* Notes B.5 at 20:33:00: printed digits, 1e-3 deg and 10 m. */
+/* As docs/physics/orbit.md has it at 20:33:00: printed digits, 1e-3 deg and 10 m. */
 static void geometry_at_the_epoch_of_the_paper(void **state)
 {
   struct pass *pass = *state;
@@ -86,7 +86,7 @@ static double event_time(const struct um_environment_event *event, size_t n,
   return NAN;
 }
 
-/* Notes B.5: the light returns, uniform disc; 0.1 s is the accuracy asked for. */
+/* docs/physics/orbit.md: the light returns, uniform disc; 0.1 s is the accuracy asked for. */
 static void check_return(struct pass *pass, const char *zero, const char *half, const char *one)
 {
   struct um_environment_event *event = NULL;

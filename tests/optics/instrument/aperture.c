@@ -54,8 +54,9 @@ static void test_shares(void **state)
   }
 }
 
-/* D.7: S 1e4, B 5, D 0.1, R 1.2, n 78.5, n_a 400: 97.0639. A flat sky of 5.1 electrons, the source
- * in the middle; a circle of that area, whole counts of 1 electron left out of the check value. */
+/* docs/physics/noise.md: S 1e4, B 5, D 0.1, R 1.2, n 78.5, n_a 400: 97.0639. A flat sky of 5.1
+ * electrons, the source in the middle; a circle of that area, whole counts of 1 electron left out
+ * of the check value. */
 static void test_ccd_equation(void **state)
 {
   (void)state;

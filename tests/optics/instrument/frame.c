@@ -89,8 +89,8 @@ static void test_energy(void **state)
   }
 }
 
-/* A point's light within a circle of q FWHM is what D.7 says, 1 - 2^(-4 q^2); 20 pixels a FWHM.
- * Airy's wings that the frame does not hold are outside, and nothing else. */
+/* A point's light within a circle of q FWHM is what docs/physics/noise.md says, 1 - 2^(-4 q^2); 20
+ * pixels a FWHM. Airy's wings that the frame does not hold are outside, and nothing else. */
 static void test_point(void **state)
 {
   (void)state;

@@ -1,5 +1,5 @@
-/* AB and Vega magnitudes. Sources: D.1 and D.6 of the physics notes, the definition, and published
- * zero points. */
+/* AB and Vega magnitudes. Sources: docs/physics/light-curves.md and docs/physics/instrument.md, the
+ * definition, and published zero points. */
 #include "optics/instrument/photometry.h"
 
 #include <math.h>
@@ -38,7 +38,8 @@ static void test_flat_spectrum(void **state)
     e[i] = n * UM_PLANCK * UM_LIGHT_SPEED / (wavelength[i] * width[i]);
     photons += n;
   }
-  assert_close(photons / 5.141595e10, 1.0, 1e-7); /* of AB 0 in 450-1150 nm, D.6 */
+  /* of AB 0 in 450-1150 nm, docs/physics/instrument.md */
+  assert_close(photons / 5.141595e10, 1.0, 1e-7);
   assert_close(um_instrument_photons(&bins, e) / photons, 1.0, 1e-14);
   assert_close(um_instrument_magnitude_ab(&bins, e), 0.0, 1e-12);
   bins.transmission = transmission;
@@ -50,7 +51,7 @@ static void test_flat_spectrum(void **state)
   assert_close(um_instrument_irradiance(&bins, e) / sum, 1.0, 1e-14);
 }
 
-/* Spectral photon rates of AB 0 (D.6): narrow bins, seven printed digits. */
+/* Spectral photon rates of AB 0 (docs/physics/instrument.md): narrow bins, seven printed digits. */
 static void test_spectral_photons(void **state)
 {
   (void)state;
@@ -87,8 +88,8 @@ static void through(const char *name, double irradiance, double *sun, double *ve
   um_instrument_filter_destroy(context, &filter);
 }
 
-/* The Sun in a 380-780 nm top hat: -26.697 by E490 (D.1), integrated as published (1366.09 W/m^2).
- * 1e-3: printed digits. */
+/* The Sun in a 380-780 nm top hat: -26.697 by E490 (docs/physics/light-curves.md), integrated as
+ * published (1366.09 W/m^2). 1e-3: printed digits. */
 static void test_sun_in_a_top_hat(void **state)
 {
   (void)state;
@@ -103,8 +104,8 @@ static void test_sun_in_a_top_hat(void **state)
   assert_close(um_instrument_magnitude_ab(&bins, e), -26.697, 1e-3);
 }
 
-/* The Sun through filters, AB: D.1, and Willmer 2018 (ApJS 236:47), table 3, another solar spectrum
- * and other curves of the same filters (he gives two decimals; 0.03). */
+/* The Sun through filters, AB: docs/physics/light-curves.md, and Willmer 2018 (ApJS 236:47), table
+ * 3, another solar spectrum and other curves of the same filters (he gives two decimals; 0.03). */
 static void test_sun_through_filters(void **state)
 {
   (void)state;

@@ -1,5 +1,5 @@
-/* Point spread functions against closed forms of their encircled energy (PHYSICS.md D.7 for the
- * Gaussian; Rayleigh 1881 for the round aperture). */
+/* Point spread functions against closed forms of their encircled energy (docs/physics/noise.md for
+ * the Gaussian; Rayleigh 1881 for the round aperture). */
 #include "optics/instrument/psf.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@ static double integral(const struct um_instrument_psf *psf, double radius)
   return 2.0 * UM_PI * sum * h / 3.0;
 }
 
-/* Values of D.7, and those of Airy's dark rings: 0.8378, 0.9099, 0.9376
+/* Values of docs/physics/noise.md, and those of Airy's dark rings: 0.8378, 0.9099, 0.9376
  * within 1.2197, 2.2331, 3.2383 lambda/D (Born & Wolf, table 8.2). The function and its encircled
  * energy are one: the integral of the one is the other to 1e-6. With an obstruction of 0.485 (a
  * 17-inch Dall-Kirkham) less stands in the middle and all of it comes together in the end. */
@@ -49,7 +49,7 @@ static void test_encircled(void **state)
   for (int k = 0; k < 4; k++)
     for (double r = 0.3; r < 6.0; r += 0.9)
       assert_true(fabs(integral(all[k], r) - um_instrument_psf_encircled(all[k], r)) <= 1e-6);
-  /* half of the peak at half the FWHM; 1.028 lambda/D of a full aperture, D.7 */
+  /* half of the peak at half the FWHM; 1.028 lambda/D of a full aperture, docs/physics/noise.md */
   assert_true(fabs(um_instrument_psf_at(&moffat, 1.0) / um_instrument_psf_at(&moffat, 0.0) - 0.5) <
               1e-12);
   assert_true(

@@ -1,4 +1,5 @@
-/* Counts and noise: D.6 and D.7 of the physics notes, and limits that have closed forms. */
+/* Counts and noise: docs/physics/instrument.md and docs/physics/noise.md, and limits that have
+ * closed forms. */
 #include "optics/instrument/sensor.h"
 
 #include <math.h>
@@ -55,8 +56,9 @@ static struct um_instrument_sensor ufo(void)
                                        .noise_equivalent_irradiance = NAN};
 }
 
-/* D.6: m = 6 of solar colour through 0.1121 m^2 and a throughput of 0.7: 6.699e6 e/s; through
- * 0.20 m with 0.3 of its diameter obstructed 1.708e6. Four digits; the notes' sums are coarser. */
+/* docs/physics/instrument.md: m = 6 of solar colour through 0.1121 m^2 and a throughput of
+ * 0.7: 6.699e6 e/s; through 0.20 m with 0.3 of its diameter obstructed 1.708e6. Four digits; the
+ * notes' sums are coarser. */
 static void test_count_rates(void **state)
 {
   (void)state;
@@ -75,7 +77,8 @@ static void test_count_rates(void **state)
   assert_close(um_instrument_count_rate(&s, &bins, spectral) / 1.708e6, 1.0, 5e-4);
 }
 
-/* D.7: S 1e4, B 5, D 0.1, R 1.2, t 1, n 78.5, n_a 400 -> 97.0639; S 100 -> 3.7420. */
+/* docs/physics/noise.md: S 1e4, B 5, D 0.1, R 1.2, t 1, n 78.5, n_a 400 -> 97.0639; S 100
+ * -> 3.7420. */
 static void test_ccd_equation(void **state)
 {
   (void)state;
@@ -100,7 +103,8 @@ static void test_ccd_equation(void **state)
   assert_close(um_instrument_expose(&s, &bins, 0.0, NAN, 0.0, 1.0).snr, 0.0, 0.0);
 }
 
-/* D.7: encircled energy 0.5, 0.9375, 0.998047 at 0.5, 1, 1.5 FWHM; photons alone leave sqrt(S). */
+/* docs/physics/noise.md: encircled energy 0.5, 0.9375, 0.998047 at 0.5, 1, 1.5 FWHM; photons alone
+ * leave sqrt(S). */
 static void test_encircled(void **state)
 {
   (void)state;
@@ -185,7 +189,7 @@ static void test_noise_equivalent(void **state)
   assert_true(isnan(e.background) && isnan(e.peak) && isnan(e.limit_ab) && !e.saturated);
 }
 
-/* D.7: D 0.432, t 1, X 1, h 350 -> 0.00795; t 0.1, X 2.9 -> 0.124. */
+/* docs/physics/noise.md: D 0.432, t 1, X 1, h 350 -> 0.00795; t 0.1, X 2.9 -> 0.124. */
 static void test_scintillation(void **state)
 {
   (void)state;

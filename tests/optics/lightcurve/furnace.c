@@ -60,8 +60,8 @@ static void place_observers(struct fixture *f, struct um_vec3 i, double alpha, d
   for (t = 0; t < f->ntime; t++) f->samples[t].sun = i;
 }
 
-/* D.3 of the notes, Smith's masking taken apart, good to 1.5e-4; the midpoints here add 3e-4. With
- * multiple_scattering nothing is lost, 1 within 1e-3. */
+/* docs/physics/roughness-and-lobes.md, Smith's masking taken apart, good to 1.5e-4; the midpoints
+ * here add 3e-4. With multiple_scattering nothing is lost, 1 within 1e-3. */
 static void nothing_is_lost(void **state)
 {
   enum { LOBE = RINGS * TURNS, ALL = LOBE + COSINES * AZIMUTHS };

@@ -1,6 +1,6 @@
-/* Light curves of bodies with closed forms. Sources: section D of the physics notes (phase
- * functions of Lambert sphere, cylinder and plate, Cook-Torrance plate, thermal anchors), each
- * checked there by independent quadrature. */
+/* Light curves of bodies with closed forms. Source: docs/physics/light-curves.md (phase functions
+ * of Lambert sphere, cylinder and plate, Cook-Torrance plate, thermal anchors), each checked there
+ * by independent quadrature. */
 #include <math.h>
 
 #include "base/core/constants.h"
@@ -193,8 +193,8 @@ static void test_mirror_energy(void **state)
   fixture_destroy(&f);
 }
 
-/* 65 m^2, eps 0.85, face-on, 1000 km (D.1 of the notes); sources are exact bin means, so the
- * printed digits are the tolerance. */
+/* 65 m^2, eps 0.85, face-on, 1000 km (docs/physics/light-curves.md); sources are exact bin means,
+ * so the printed digits are the tolerance. */
 static void test_thermal_anchor(void **state)
 {
   (void)state;
@@ -271,9 +271,9 @@ static void test_planck_tables(void **state)
   fixture_destroy(&f);
 }
 
-/* Aluminium at 10 um (25.3 + 89.8 i, D.4 of the notes), by Fresnel's equations, at many angles: the
- * optics' table against the record itself. Both interpolate in sqrt(cos); 1e-4 of the emissivity
- * bounds the difference of the two grids. */
+/* Aluminium at 10 um (25.3 + 89.8 i, docs/physics/fresnel.md), by Fresnel's equations, at many
+ * angles: the optics' table against the record itself. Both interpolate in sqrt(cos); 1e-4 of the
+ * emissivity bounds the difference of the two grids. */
 static void test_directional_emissivity(void **state)
 {
   (void)state;

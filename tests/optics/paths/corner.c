@@ -11,7 +11,7 @@
 #include "base/core/planck.h"
 #include "tests/optics/fixture.h"
 
-#define FACTOR 0.200044 /* view factor of perpendicular unit squares (Howell C-14; notes C.7) */
+#define FACTOR 0.200044 /* perpendicular unit squares, Howell C-14: docs/physics/exchange.md */
 
 static const struct um_geometry_skin floor_skin = {NULL, "floor", "black"};
 static const struct um_geometry_skin wall_skin = {NULL, "wall", "black"};

@@ -195,7 +195,8 @@ static void squares_of_a_plate(void **state)
 
 /* A shower of glints: over 200 seeds the light of a plate of 6400 squares toward the mirror
  * direction has the wider lobe's mean, and varies as the mean of N_eff events, N_eff = N v (v + 2
- * s^2)/s^4, v = alpha^2/2 (D.9). 4 standard errors each; excess kurtosis below 0.2. */
+ * s^2)/s^4, v = alpha^2/2 (docs/physics/creases.md). 4 standard errors each; excess kurtosis below
+ * 0.2. */
 static void shower_of_glints(void **state)
 {
   enum { SEEDS = 200 };

@@ -1,4 +1,4 @@
-/* Light of the Earth: D.5 of the physics notes. */
+/* Light of the Earth: docs/physics/earthlight.md. */
 #include <math.h>
 #include <stdio.h>
 
@@ -36,7 +36,7 @@ static void test_reflected_ratio(void **state)
     fixture_close("reflected Earth / emitted",
                   reflected / fixture_intensity(&f, 0, 0, UM_MECHANISM_EMITTED), ratio[k],
                   half_digit[k] / ratio[k] + 0.0005 / 0.797);
-    /* band radiances of D.5: L(270 K) = 22.3839 */
+    /* band radiances of docs/physics/earthlight.md: L(270 K) = 22.3839 */
     fixture_close("  reflected [W/sr]", reflected, (1.0 - emissivity[k]) * 0.797 * 22.3839, 4e-6);
     f.environment.earth_reflection_on = false;
     fixture_run(&f, 1, &fixture_lwir, 1);
@@ -45,8 +45,9 @@ static void test_reflected_ratio(void **state)
   }
 }
 
-/* Earthshine: a flux of 0.2366 E_sun (nadir plate over the sub-solar point, D.5), spread like
- * sunlight, reflected by rho_d: rho_d 0.2366 E_band / pi per area. */
+/* Earthshine: a flux of 0.2366 E_sun (nadir plate over the sub-solar point,
+ * docs/physics/earthlight.md), spread like sunlight, reflected by rho_d: rho_d 0.2366 E_band / pi
+ * per area. */
 static void test_earthshine(void **state)
 {
   (void)state;

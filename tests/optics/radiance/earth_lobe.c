@@ -1,4 +1,5 @@
-/* The Earth reflected by a lobe, against the table of D.5 and sums over directions. */
+/* The Earth reflected by a lobe, against the table of docs/physics/earthlight.md and sums over
+ * directions. */
 #include "optics/radiance/earth_lobe_impl.h"
 
 #include <math.h>
@@ -14,8 +15,8 @@
 
 static struct um_vec3 half[RINGS * CELLS];
 
-/* L_r/L_E as PHYSICS D.5 prints it: h 765 km, uniform Earth, normal lambda from the nadir, observer
- * at theta_o in their plane, positive toward the nadir. */
+/* L_r/L_E as docs/physics/earthlight.md prints it: h 765 km, uniform Earth, normal lambda from the
+ * nadir, observer at theta_o in their plane, positive toward the nadir. */
 static const struct {
   double alpha, n, k, lambda;
   double ratio[5]; /* -60, -30, 0, 30, 60 deg */

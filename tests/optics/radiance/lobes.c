@@ -34,9 +34,9 @@ static struct um_vec3 direction(double zenith, double azimuth)
   return um_vec3(sin(zenith) * cos(azimuth), sin(zenith) * sin(azimuth), cos(zenith));
 }
 
-/* D.1 of the notes: a flat mirror of 1 m^2, F = 0.9, at 1000 km has -7.0452 mag (Sun -26.74) within
- * the Sun's disc, nothing outside; at 30 deg the area is cos 30 deg of it. Cosines of sight are
- * single precision: 1e-4 of the disc's radius, hence steps of 1e-3 on both sides. */
+/* docs/physics/light-curves.md: a flat mirror of 1 m^2, F = 0.9, at 1000 km has -7.0452 mag (Sun
+ * -26.74) within the Sun's disc, nothing outside; at 30 deg the area is cos 30 deg of it. Cosines
+ * of sight are single precision: 1e-4 of the disc's radius, hence steps of 1e-3 on both sides. */
 static void a_glint_is_the_sun(void **state)
 {
   static const double turned[] = {0.0, 0.5, 0.999, 1.001, 2.0};

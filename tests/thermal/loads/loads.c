@@ -47,8 +47,8 @@ static double mean_of(const struct help_satellite *s, const float *value, uint32
   return sum / area;
 }
 
-/* A plate whose front is tilted from nadir, h 400 to 35786 km (PHYSICS C.6). Planet load = F * OLR;
- * six printed digits of F. Back: tilt pi - tilt. */
+/* A plate whose front is tilted from nadir, h 400 to 35786 km (docs/physics/loads.md). Planet load
+ * = F * OLR; six printed digits of F. Back: tilt pi - tilt. */
 static void test_plate(void **state)
 {
   (void)state;
@@ -77,7 +77,8 @@ static void test_plate(void **state)
 }
 
 /* Albedo of a nadir plate at 765 km: E / (a S) = 0.788743, 0.394371, 0.030685 at solar zenith 0,
- * 60, 90 deg (PHYSICS C.6; 1.3 M point quadrature); the environment's own accuracy is 1e-4. */
+ * 60, 90 deg (docs/physics/loads.md; 1.3 M point quadrature); the environment's own accuracy is
+ * 1e-4. */
 static void test_albedo(void **state)
 {
   (void)state;

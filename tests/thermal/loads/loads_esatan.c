@@ -115,7 +115,8 @@ static double largest(const double *x, size_t n)
   return most;
 }
 
-/* planet: exact value [W/m2], PHYSICS C.6 closed form. Returns the albedo coefficient of ESATAN. */
+/* planet: exact value [W/m2], docs/physics/loads.md closed form. Returns the albedo coefficient of
+ * ESATAN. */
 static double plate(const char *name, double height, double beta, bool nadir, double planet)
 {
   struct table reference = {.n = 0}, ours = {.n = 0};

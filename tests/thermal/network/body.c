@@ -32,8 +32,9 @@ static double *temperatures(const struct help_satellite *s, double value)
   return t;
 }
 
-/* MLI skin, alpha 0.38, eps 0.78, what it wraps at 293 K, 1361 W/m2 or dark, space 0 K (PHYSICS
- * C.3): the same for finite elements, lumps and solids, over a wall or an interior. Printed digits.
+/* MLI skin, alpha 0.38, eps 0.78, what it wraps at 293 K, 1361 W/m2 or dark, space 0 K
+ * (docs/physics/mli.md): the same for finite elements, lumps and solids, over a wall or an
+ * interior. Printed digits.
  */
 static void mli_case(enum um_thermal_part_kind kind, bool interior, double e, double sunlit,
                      double leak_in, double dark, double leak_out)

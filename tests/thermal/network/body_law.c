@@ -48,7 +48,7 @@ static void materials_are_followed(void **state)
   }
 }
 
-/* e* printed: PHYSICS.md C.3; Lockheed as in temperature_law.c; seams beside either, shell and
+/* e* printed: docs/physics/mli.md; Lockheed as in temperature_law.c; seams beside either, shell and
  * lump. Of a cube of 1 m2 faces with skins at 250 K and walls at 290 K. */
 static void blankets_are_followed(void **state)
 {

@@ -239,7 +239,7 @@ static void share_lags(void **state)
 }
 
 /* 6.5 kW in the battery, by the frame to a radiator of 50, 100, 150 m2, eps 0.8, 0 K around: its
- * temperature is printed (PHYSICS C.4), each step inside is P / G. */
+ * temperature is printed (docs/physics/internal-heat.md), each step inside is P / G. */
 static void battery_frame_radiator(void **state)
 {
   (void)state;
@@ -267,8 +267,8 @@ static void battery_frame_radiator(void **state)
   }
 }
 
-/* MLI around the second of two interiors (PHYSICS C.3, e* 0.03, dark: the skin at 128.5366 K leaks
- * 12.0729 W/m2 out of 293 K). */
+/* MLI around the second of two interiors (docs/physics/mli.md, e* 0.03, dark: the skin at 128.5366
+ * K leaks 12.0729 W/m2 out of 293 K). */
 static void blanket_wraps_the_second(void **state)
 {
   (void)state;

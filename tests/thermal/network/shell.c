@@ -115,7 +115,7 @@ static void test_fin(void **state)
 }
 
 /* Solar array normal to the Sun, no Earth, eps 0.85 on both sides, alpha 0.92, extraction 0.18
- * (PHYSICS C.4). sigma there is CODATA; 2e-4 K covers its printed digits. */
+ * (docs/physics/internal-heat.md). sigma there is CODATA; 2e-4 K covers its printed digits. */
 static void solar_array(double u, double extraction, double front, double back)
 {
   struct help_satellite s = {0};

@@ -57,8 +57,8 @@ static void emittance_of(struct help_satellite *s, const char *group, double emi
 }
 
 /* NAFEMS T2 on tetrahedra: 1000 K at -x, +x radiates to 300 K with eps 0.98, k 55.6. The field is
- * linear, so any mesh is exact: 927.004 K with sigma CODATA (927.008 with 5.67e-8; PHYSICS C.2).
- * 5e-4 K are the printed digits. Capacity = rho c V. */
+ * linear, so any mesh is exact: 927.004 K with sigma CODATA (927.008 with 5.67e-8;
+ * docs/physics/conduction.md). 5e-4 K are the printed digits. Capacity = rho c V. */
 static void test_nafems_t2(void **state)
 {
   (void)state;
@@ -83,7 +83,7 @@ static void test_nafems_t2(void **state)
 }
 
 /* Slab, step at x = 0, insulated at L (Carslaw & Jaeger 1959 3.3): theta at the back face at Fo 0.2
- * is 0.772312 (PHYSICS C.2). */
+ * is 0.772312 (docs/physics/conduction.md). */
 static double slab_back(double facet)
 {
   struct help_satellite s = {0};

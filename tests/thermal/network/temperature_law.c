@@ -113,7 +113,7 @@ static double leak(enum um_thermal_mli_law which, struct um_thermal_mli_slope sl
 }
 
 /* The formulas as their papers print them. e* of Doenecke: 0.0124 at 290 K, 0.0144 at 250 K, 0.0191
- * at 200 K to three digits (docs/physics.md C.3). Lockheed's q of 40 layers at 20/cm between 300
+ * at 200 K to three digits (docs/physics/mli.md). Lockheed's q of 40 layers at 20/cm between 300
  * and 77 K: 0.351 W/m^2, computed with the coefficients by hand. */
 static void blankets_leak(void **state)
 {

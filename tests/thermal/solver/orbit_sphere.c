@@ -1,9 +1,10 @@
 /* An isothermal sphere on a circular orbit, h 765 km, beta 0, alpha = eps = 0.8, 4860 J/m2/K, S
  * 1361, albedo 0.3, Earth IR 237 W/m2, cylindrical shadow: traced loads, periodic start, one orbit.
  *
- * PHYSICS C.2, for a load code with the albedo of the visible cap: T_max 299.527 K, T_min 230.836 K
- * at the exit from shadow. The facets' projected area differs from that of the sphere by up to
- * 0.1 % with direction (Cauchy: none on average), which is 0.02 to 0.03 K here; 0.05 K allowed. */
+ * docs/physics/conduction.md, for a load code with the albedo of the visible cap: T_max 299.527 K,
+ * T_min 230.836 K at the exit from shadow. The facets' projected area differs from that of the
+ * sphere by up to 0.1 % with direction (Cauchy: none on average), which is 0.02 to 0.03 K here;
+ * 0.05 K allowed. */
 #include "tests/thermal/body_help.h"
 #include "thermal/loads/loads.h"
 

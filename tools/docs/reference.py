@@ -1,0 +1,154 @@
+"""Pages of the reference, made from what the program and its header say: commands, keys, effects,
+materials, filters, sensors, C. Nothing here is a list of its own."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+# How the program is asked. Everything that names a command of it stands here.
+ASK = {
+    "help of all": ["help", "all"],
+    "help": ["help"],
+    "keys": ["list", "keys"],
+    "materials": ["list", "materials"],
+    "filters": ["list", "filters"],
+    "sensors": ["list", "sensors"],
+}
+
+
+class Program:
+    def __init__(self, path):
+        self.path = path
+
+    def ask(self, what, *more):
+        command = [str(self.path), *ASK[what], *more]
+        environment = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}  # of a build with sanitizers
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment)
+        if done.returncode != 0:
+            raise SystemExit(f"{' '.join(command)}: {done.stderr.strip()}")
+        return done.stdout
+
+
+def put(folder, name, text):
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return name
+
+
+def block(text, kind="text"):
+    return f"```{kind}\n{text.rstrip()}\n```\n"
+
+
+def commands(program, folder):
+    """A page a command, with its help, in the order of the program."""
+    names = re.findall(r"^\*umbra ([a-z]+)\*$", program.ask("help of all"), re.M)
+    if not names:
+        raise SystemExit("umbra help all names no command as *umbra NAME*")
+    pages = []
+    for name in names:
+        text = f"# umbra {name}\n\n" + block(program.ask("help", name))
+        pages.append({name: put(folder, f"reference/commands/{name}.md", text)})
+    index = "# Commands\n\nWhat `umbra help` prints. `umbra help COMMAND` prints the page of one.\n\n"
+    put(folder, "reference/commands/README.md", index + block(program.ask("help")))
+    return ["reference/commands/README.md", *pages]
+
+
+def keys(program, folder):
+    head = (
+        "# Keys of a scenario\n\nWhat `umbra list keys` prints. `umbra list keys PATH` prints a section, "
+        "`umbra list keys --json` a JSON Schema for [editors](../docs/howto/editor.md).\n\n"
+    )
+    # Sections of the program's own page are one level lower here.
+    text = re.sub(r"^(#+ )", r"#\1", program.ask("keys"), flags=re.M)
+    put(folder, "reference/keys.md", head + text)
+
+
+def number(value):
+    return "-" if value is None else f"{value:.3f}"
+
+
+def materials(program, folder):
+    records = json.loads(program.ask("materials", "--json"))
+    text = (
+        "# Materials\n\nRecords that come with the program, as `umbra list materials` has them: solar absorptance "
+        "over ASTM E490 at normal incidence; emittance of 300 K, hemispherical and normal. How a record "
+        "is written: [material records](../materials/library/README.md).\n\n"
+        "| material | absorptance | catalogue | emittance | normal | catalogue |\n|---|---|---|---|---|---|\n"
+    )
+    for r in records:
+        row = [
+            f"[{r['name']}](#{r['name']})",
+            number(r["solar_absorptance"]),
+            number(r.get("catalogue_solar_absorptance")),
+            number(r["emittance"]),
+            number(r["normal_emittance"]),
+            number(r.get("catalogue_emittance")),
+        ]
+        text += "| " + " | ".join(row) + " |\n"
+    for r in records:
+        text += f"\n## {r['name']}\n\n{r['summary']}\n\n" + block(program.ask("materials", r["name"]))
+    put(folder, "reference/materials.md", text)
+
+
+def instruments(program, folder):
+    text = "# Filters and sensors\n\n## Filters\n\nWhat `umbra list filters` prints.\n\n"
+    text += block(program.ask("filters")) + "\n## Sensors\n\nWhat `umbra list sensors` prints.\n\n"
+    listed = program.ask("sensors")
+    text += block(listed)
+    for line in listed.splitlines():
+        name = line.split()[0]
+        text += f"\n### {name}\n\n" + block(program.ask("sensors", name), "yaml")
+    put(folder, "reference/instruments.md", text)
+
+
+def effects(folder):
+    """docs/effects.md, which a test holds to the descriptors, as a page an effect."""
+    manual = folder / "docs/effects.md"
+    head, *parts = re.split(r"^## ", manual.read_text(encoding="utf-8"), flags=re.M)
+    pages = []
+    for part in parts:
+        name, text = part.split("\n", 1)
+        text = text.replace("](#", "](")
+        text = re.sub(r"\]\(([a-z_]+)\)", r"](\1.md)", text)
+        pages.append({name: put(folder, f"docs/effects/{name}.md", f"# {name}\n{text}")})
+    manual.write_text(re.sub(r"\]\(#([a-z_]+)\)", r"](effects/\1.md)", head), encoding="utf-8")
+    return ["docs/effects.md", *pages]
+
+
+def comment_text(comment):
+    lines = comment.strip()[2:-2].split("\n")
+    lines = [re.sub(r"^ *\* ?", "", line) if i else line.lstrip() for i, line in enumerate(lines)]
+    text = "\n".join(lines).strip()
+    text = re.sub(r"\b(umbra_[a-z_]+|UMBRA_[A-Z_0-9]+)\b", r"`\1`", text)
+    return re.sub(r"([*<])", r"\\\1", text)
+
+
+def c_interface(header, folder):
+    """The contracts of umbra.h in its order: a comment at the margin, then what it is about."""
+    source = header.read_text(encoding="utf-8")
+    text = "# C interface\n\nThe contracts of `umbra.h`, in the order of the header. [An example](../examples/c/lightcurve.c).\n"
+    for piece in re.split(r"(^/\*.*?\*/$)", source, flags=re.M | re.S):
+        title = re.match(r"/\* --- (.*?) -+ \*/", piece)
+        if title:
+            text += f"\n## {title.group(1)}\n"
+        elif piece.startswith("/*"):
+            text += f"\n{comment_text(piece)}\n"
+        else:
+            code = re.sub(r"^#(if|ifndef|ifdef|endif|include|define UMBRA_UMBRA_H).*$", "", piece, flags=re.M)
+            code = re.sub(r'^extern "C" \{$|^\}$', "", code, flags=re.M)
+            code = re.sub(r"\n{3,}", "\n\n", code).strip("\n")
+            if code.strip():
+                text += "\n" + block(code, "c")
+    put(folder, "reference/c.md", text)
+
+
+def everything(program, header, folder):
+    """All pages into the folder; the lists that the navigation wants, by name."""
+    program = Program(program)
+    keys(program, folder)
+    materials(program, folder)
+    instruments(program, folder)
+    c_interface(pathlib.Path(header), folder)
+    return {"commands": commands(program, folder), "effects": effects(folder)}
