@@ -8,6 +8,7 @@
 #include "library/measurements_impl.h"
 #include "library/run_impl.h"
 #include "library/scenario_impl.h"
+#include "orbit/time.h"
 
 #define TEMPERATURE_SIGMA 0.5     /* [K] */
 #define MADE              "synth" /* what messages call them */
