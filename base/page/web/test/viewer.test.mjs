@@ -54,7 +54,8 @@ async function visit(name, f, options) {
 
 const figureOf = (doc, id) => doc.sections.flatMap((s) => s.figures).find((f) => f.id === id);
 const series = (page, id) => page.evaluate((i) => window.umbra.figure(i).series(), id);
-const arrayOf = (page, index) => page.evaluate((i) => Array.from(window.umbra.array(i)), index);
+/** Numbers as they were put into the page. */
+const arrayOf = (index, name = "plain") => made[name].numbers.values[index];
 const plot = (id, panel = 0) => `figure[data-id="${id}"] .panel:nth-of-type(${panel + 1}) .plot`;
 const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
@@ -78,12 +79,12 @@ test("every curve is drawn with the numbers of the document, gaps included", () 
         for (const s of panel.series) {
           const d = drawn.splice(drawn.findIndex((c) => c.name === s.name && c.panel === panel.name && c.set === s.set), 1)[0];
           const what = `${figure.id}, ${s.name}`;
-          const x = await arrayOf(page, s.x ?? figure.x.data);
-          const y = await arrayOf(page, s.data);
+          const x = arrayOf(s.x ?? figure.x.data);
+          const y = arrayOf(s.data);
           if (x.every((v, i) => i === 0 || v >= x[i - 1])) {
             sameNumbers(d.x, x, what);
             sameNumbers(d.y, y, what);
-            if (s.error !== undefined) sameNumbers(d.error, await arrayOf(page, s.error), what);
+            if (s.error !== undefined) sameNumbers(d.error, arrayOf(s.error), what);
           } else sameNumbers([...d.y].sort((a, b) => a - b), [...y].sort((a, b) => a - b), what);
           if (d.drawn && !panel.stacked) sameNumbers(d.drawn, y.map((v) => (panel.scale === "log" && v <= 0 ? NaN : v)), `${what}, by uPlot`);
           checked += 1;
@@ -118,6 +119,22 @@ test("no canvas is blank, magnitudes grow downward", () =>
     assert.ok(bright < faint);
   }));
 
+test("a curve's pixels lie where its numbers say, in its colour", () =>
+  visit("plain", async (page) => {
+    const { time, lwir } = made.plain.flown;
+    const off = await page.evaluate(([xs, ys]) => {
+      const u = window.umbra.figure("light").plots[2];
+      const near = (x, y) => {
+        const { data } = u.ctx.getImageData(Math.round(x) - 2, Math.round(y) - 2, 5, 5);
+        for (let i = 0; i < data.length; i += 4) if (Math.abs(data[i] - 0xd5) + Math.abs(data[i + 1] - 0x5e) + Math.abs(data[i + 2]) < 60) return true;
+        return false;
+      };
+      // Measured points hide the line where they lie on it.
+      return xs.filter((x, i) => i > 4 && i < xs.length - 5 && i % 9 === 0 && !near(u.valToPos(x, "x", true), u.valToPos(ys[i], "y", true))).length;
+    }, [time, lwir]);
+    assert.equal(off, 0);
+  }, { colorScheme: "light" }));
+
 test("hovering a curve moves the time of all figures and of the scene", () =>
   visit("plain", async (page) => {
     const over = page.locator(`${plot("light", 0)} .u-over`);
@@ -131,10 +148,8 @@ test("hovering a curve moves the time of all figures and of the scene", () =>
     assert.ok(Math.abs(i - 0.8 * 420) <= 3, `sample ${i}`);
     const [scene] = await series(page, "satellite");
     assert.equal(scene.time, at);
-    const stored = await page.evaluate((k) => {
-      const { array, document: doc } = window.umbra;
-      return Array.from(array(doc.scene.quantities[0].data).subarray(k * doc.scene.surfaces.count, (k + 1) * doc.scene.surfaces.count));
-    }, i);
+    const { quantities, surfaces } = made.plain.document.scene;
+    const stored = arrayOf(quantities[0].data).slice(i * surfaces.count, (i + 1) * surfaces.count);
     sameNumbers(scene.y, stored, "temperatures of the scene");
     const readout = await page.locator('figure[data-id="temperatures"] .readout').textContent();
     assert.equal(readout, `2016-09-21 ${new Date(at * 1000).toISOString().slice(11, 19)} UTC`);
@@ -245,10 +260,10 @@ test("a slider moves both curves by the exact sum, and says where the line ends"
     const value = 0.6 + (0.8 * slider) / 1000;
     for (const c of described.curves) {
       const drawn = (await series(page, "whatif")).find((s) => s.name === c.name);
-      const base = await arrayOf(page, c.base);
+      const base = arrayOf(c.base);
       const change = base.map(() => 0);
       for (const [name, by] of [["olr_factor", value - 1], ["albedo_factor", 1.4 - 1]]) {
-        const d = await arrayOf(page, c.derivative[described.parameters.findIndex((p) => p.name === name)]);
+        const d = arrayOf(c.derivative[described.parameters.findIndex((p) => p.name === name)]);
         d.forEach((v, i) => (change[i] += by * v));
       }
       drawn.y.forEach((v, i) => assert.ok(Math.abs(v - base[i] - change[i]) <= 1e-12 * Math.abs(base[i]) + 1e-15, `${c.name} ${i}`));
@@ -263,13 +278,13 @@ test("a slider moves both curves by the exact sum, and says where the line ends"
     assert.match(await row.locator(".slider-note").textContent(), /^Beyond 0.8 to 1.2 the straight line is off by more than 1 %; umbra serve computes it.$/);
     await figure.getByRole("button", { name: "Reset all" }).click();
     await settle(page);
-    for (const c of described.curves) sameNumbers((await series(page, "whatif")).find((s) => s.name === c.name).y, await arrayOf(page, c.base), "after reset");
+    for (const c of described.curves) sameNumbers((await series(page, "whatif")).find((s) => s.name === c.name).y, arrayOf(c.base), "after reset");
     await figure.getByRole("searchbox").fill("moon");
     assert.equal(await figure.locator(".slider-row").count(), 1);
     await figure.getByRole("checkbox").uncheck();
     await settle(page);
     const lwir = described.curves[1];
-    const [base, d] = [await arrayOf(page, lwir.base), await arrayOf(page, lwir.derivative[10])];
+    const [base, d] = [arrayOf(lwir.base), arrayOf(lwir.derivative[10])];
     sameNumbers((await series(page, "whatif")).find((s) => s.name === "LWIR").y, base.map((v, i) => v - d[i]), "without the Moon");
   }));
 
@@ -303,15 +318,15 @@ test("the file that is saved has every digit of the data", () =>
       const column = (name) => rows.slice(1).map((r) => r[rows[0].indexOf(name)]);
       if (figure.id === "light") {
         assert.deepEqual(rows[0].slice(0, 4), ["time [UTC]", "time [s since 1970]", "VIS radiant intensity [W/sr]", "VIS radiant intensity sigma [W/sr]"]);
-        const y = await arrayOf(page, figure.panels[0].series[0].data);
+        const y = arrayOf(figure.panels[0].series[0].data);
         column("VIS radiant intensity [W/sr]").forEach((text, i) => assert.equal(text === "" ? NaN : Number(text), y[i]));
-        const e = await arrayOf(page, figure.panels[0].series[0].error);
+        const e = arrayOf(figure.panels[0].series[0].error);
         column("VIS radiant intensity sigma [W/sr]").forEach((text, i) => assert.equal(Math.fround(Number(text)), e[i]));
-        const measured = await arrayOf(page, figure.panels[2].series[1].data);
+        const measured = arrayOf(figure.panels[2].series[1].data);
         assert.deepEqual(column("LWIR measured radiant intensity [W/sr]").filter((t) => t !== "").map(Number), measured);
       }
       if (figure.id === "reflectivity") {
-        const z = await arrayOf(page, figure.z.data);
+        const z = arrayOf(figure.z.data);
         column("cross-section [m2/sr]").forEach((text, i) => assert.equal(text === "" ? NaN : Number(text), z[i]));
       }
     }
