@@ -101,6 +101,13 @@ export function createPlot(o) {
   );
   u.over.append(marker);
 
+  // A finger that moves across reads values; one that moves up or down scrolls.
+  u.over.addEventListener("pointermove", (e) => {
+    if (e.pointerType !== "touch") return;
+    const at = u.posToVal(e.clientX - u.over.getBoundingClientRect().left, "x");
+    clock.move(o.snap ? o.snap(at) : at);
+  });
+
   function hover(v) {
     if (!(v.cursor.left >= 0)) return;
     const at = v.posToVal(v.cursor.left, "x");
@@ -203,6 +210,7 @@ export function roomAbout(min, max, type, zero) {
     return [low / room, max * room];
   }
   let [low, high] = [min, max];
+  if (low === 0 && high === 0) return [0, 1];
   if (zero || (type !== "magnitude" && low >= 0 && low < 0.45 * high)) [low, high] = [Math.min(0, low), Math.max(0, high)];
   const span = high - low || Math.abs(high) * 0.1 || 1;
   return [low === 0 ? 0 : low - 0.06 * span, high === 0 ? 0 : high + 0.08 * span];

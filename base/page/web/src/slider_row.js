@@ -4,6 +4,8 @@ import { plain, quantity } from "./format.js";
 import { isBeyond, rangeOf, statedInterval } from "./whatif.js";
 
 const STEPS = 1000;
+/** Width of a slider's handle, pixels. */
+const HANDLE = 16;
 
 function numericField(p, id, changed) {
   return el("input", {
@@ -51,7 +53,9 @@ function sliderRow(p, changed, served) {
   const within = (v) => Math.min(Number.isFinite(p.maximum) ? p.maximum : v, Math.max(Number.isFinite(p.minimum) ? p.minimum : v, v));
   const [from, to] = statedInterval(p);
   const bounded = Number.isFinite(p.reach);
-  const share = (v) => Math.min(100, Math.max(0, toPlace(v) / (STEPS / 100)));
+  const share = (v) => Math.min(1, Math.max(0, toPlace(v) / STEPS));
+  // The handle's middle keeps half its width from the ends.
+  const left = (s) => `calc(${HANDLE / 2}px + (100% - ${HANDLE}px) * ${s})`;
 
   const slider = el("input", {
     type: "range", id, min: 0, max: STEPS, step: 1,
@@ -61,9 +65,9 @@ function sliderRow(p, changed, served) {
   const interval = el("span", {
     class: "slider-interval",
     "aria-hidden": "true",
-    style: { left: `${share(from)}%`, width: `${Math.max(0.6, share(to) - share(from))}%` },
+    style: { left: left(share(from)), width: `max(3px, calc((100% - ${HANDLE}px) * ${share(to) - share(from)}))` },
   });
-  const origin = el("span", { class: "slider-null", "aria-hidden": "true", style: { left: `${share(p.null)}%` } });
+  const origin = el("span", { class: "slider-null", "aria-hidden": "true", style: { left: left(share(p.null)) } });
   const note = el("p", { class: "slider-note", "aria-live": "polite" });
   const reset = button("Reset", () => changed(p.null), { class: "slider-reset", "aria-label": `Reset ${p.label ?? p.name}` });
   const node = el(

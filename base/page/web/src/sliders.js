@@ -127,8 +127,11 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
   return {
     clock,
     columns: () => {
-      const columns = panelColumns(x, xs, panels);
-      return columns.filter((c) => Array.from(c.values).some((v) => Number.isFinite(v)));
+      const columns = panelColumns(x, xs, panels).filter((c) => Array.from(c.values).some((v) => Number.isFinite(v)));
+      const changed = parameters.map((p, k) => k).filter((k) => values[k] !== parameters[k].null);
+      if (changed.length === 0) return columns;
+      // What the curves stand for.
+      return [...columns, { name: "parameter", values: changed.map((k) => String(parameters[k].name)) }, { name: "value", values: changed.map((k) => values[k]) }];
     },
     series: drawing.drawn,
     plots: drawing.plots,
