@@ -4,8 +4,10 @@ import { test } from "node:test";
 import { Clock, clockKey, nearest } from "../src/clock.js";
 import { csvText } from "../src/csv.js";
 import { exact, number, position, utcClock, utcDate, utcIso } from "../src/format.js";
+import { shapeEdges } from "../src/scene_edges.js";
 import { niceStep, tickLabels, ticks } from "../src/ticks.js";
 import { isBeyond, moved, rangeOf, statedInterval, telling } from "../src/whatif.js";
+import { createSatellite } from "./satellite.mjs";
 
 const at = Date.UTC(2016, 8, 21, 20, 36, 59) / 1000;
 
@@ -102,4 +104,17 @@ test("the clock steps through samples, and keys zoom", () => {
   assert.equal(key("x"), false);
   assert.equal(nearest([0, 1, 2], 1.6), 2);
   assert.equal(nearest([], 1), -1);
+});
+
+test("edges show the shape, not the mesh", () => {
+  const mesh = createSatellite();
+  const of = (chosen) => {
+    const position = new Float32Array(chosen.flatMap((t) => [0, 1, 2].flatMap((k) => mesh.vertices.slice(3 * mesh.triangles[3 * t + k], 3 * mesh.triangles[3 * t + k] + 3))));
+    const geometry = shapeEdges(position, (t, k) => mesh.triangles[3 * chosen[t] + k], (t) => mesh.surfaces[mesh.surface[chosen[t]]].material);
+    return geometry.getAttribute("position").count / 2;
+  };
+  const all = [...mesh.body.keys()];
+  // The box has twelve edges of twelve cells; front and back of the panel share its rim of 6 and 14.
+  assert.equal(of(all.filter((t) => mesh.body[t] === 0)), 12 * 12);
+  assert.equal(of(all.filter((t) => mesh.body[t] === 1)), 2 * (6 + 14));
 });

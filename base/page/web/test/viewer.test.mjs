@@ -351,6 +351,49 @@ test("texts that try to be markup are shown as texts", () =>
     assert.equal(await page.evaluate(() => window.hacked), undefined);
   }));
 
+test("bars, maps and the sky show their numbers", () =>
+  visit("plain", async (page) => {
+    const bars = figureOf(made.plain.document, "flows").bars;
+    const widths = await page.locator('figure[data-id="flows"] .bar').evaluateAll((all) => all.map((b) => parseFloat(b.style.width)));
+    bars.forEach((b, i) => assert.ok(Math.abs(widths[i] / widths[0] - Math.abs(b.value) / bars[0].value) < 1e-3, b.name));
+    const { z } = figureOf(made.plain.document, "reflectivity");
+    const values = arrayOf(z.data);
+    const [drawn] = await series(page, "reflectivity");
+    sameNumbers(drawn.z, values, "map");
+    const [low, high] = [Math.min(...values.filter(Number.isFinite)), Math.max(...values.filter(Number.isFinite))];
+    const wrong = await page.evaluate(([zs, min, max]) => {
+      const figure = window.umbra.figure("reflectivity");
+      const u = figure.plots[0];
+      const bar = figure.element.querySelector(".colourbar canvas").getContext("2d");
+      const [s] = figure.series();
+      let off = 0;
+      s.y.forEach((y, j) => s.x.forEach((x, i) => {
+        const v = zs[j * s.x.length + i];
+        const p = u.ctx.getImageData(Math.round(u.valToPos(x, "x", true)), Math.round(u.valToPos(y, "y", true)), 1, 1).data;
+        const q = v === null ? [0, 0, 0, 0] : bar.getImageData(Math.round((255 * (v - min)) / (max - min)), 0, 1, 1).data;
+        if (v === null ? p[3] > 60 : [0, 1, 2].some((k) => Math.abs(p[k] - q[k]) > 4)) off += 1;
+      }));
+      return off;
+    }, [values.map((v) => (Number.isFinite(v) ? v : null)), low, high]);
+    assert.equal(wrong, 0);
+    const { flown } = made.plain;
+    await page.evaluate((t) => window.umbra.clock.move(t), flown.time[300]);
+    const dot = await page.locator(".sky-now").evaluate((d) => [Number(d.getAttribute("cx")) - 180, 180 - Number(d.getAttribute("cy"))]);
+    // East is left: the azimuth runs against the clock.
+    const azimuth = (Math.atan2(-dot[0], dot[1]) * 180) / Math.PI;
+    assert.ok(Math.abs(((azimuth - flown.azimuth[300] + 540) % 360) - 180) < 0.01);
+    assert.ok(Math.abs(90 - (90 * Math.hypot(...dot)) / 150 - flown.elevation[300]) < 0.01);
+  }));
+
+test("several documents beside each other are told apart by name", () =>
+  visit("plain", async (page) => {
+    const names = await page.locator('figure[data-id="two"] .entry-name').allTextContents();
+    assert.deepEqual(names, ["LWIR out/a", "LWIR out/b"]);
+    const tints = await page.locator('figure[data-id="two"] .swatch.line').evaluateAll((s) => s.map((e) => e.style.getPropertyValue("--colour")));
+    assert.notEqual(tints[0], tints[1]);
+    assert.match((await page.evaluate(() => window.umbra.figure("two").csv())).split("\n")[0], /LWIR radiant intensity \(out\/a\) \[W\/sr\],LWIR radiant intensity \(out\/b\)/);
+  }));
+
 test("a figure of a kind to come shows its title and a word", () =>
   visit("plain", async (page) => {
     const figure = page.locator('figure[data-id="future"]');
