@@ -1,11 +1,14 @@
 /* One parameter of a what-if: a slider with its stated interval, or a checkbox. */
 import { button, el, freshId } from "./dom.js";
-import { plain, quantity } from "./format.js";
+import { plain, quantity, unitText } from "./format.js";
 import { isBeyond, rangeOf, statedInterval } from "./whatif.js";
 
 const STEPS = 1000;
 /** Width of a slider's handle, pixels. */
 const HANDLE = 16;
+
+/** Labels of one effect on several materials are alike; names tell them apart. */
+const nameBelow = (p) => (p.label && p.label !== p.name ? el("span", { class: "slider-name" }, p.name) : null);
 
 function numericField(p, id, changed) {
   return el("input", {
@@ -37,7 +40,7 @@ function switchRow(p, changed) {
   const node = el(
     "div",
     { class: "slider-row switch-row", data: { name: p.name } },
-    el("label", { for: id, class: "slider-label" }, box, el("span", {}, p.label ?? p.name)),
+    el("label", { for: id, class: "slider-label" }, box, el("span", {}, p.label ?? p.name, nameBelow(p))),
     p.text ? el("p", { class: "slider-text" }, p.text) : null,
   );
   return { node, set: (v) => (box.checked = v === on) };
@@ -73,9 +76,9 @@ function sliderRow(p, changed, served) {
   const node = el(
     "div",
     { class: "slider-row", data: { name: p.name } },
-    el("label", { for: id, class: "slider-label" }, p.label ?? p.name),
-    el("div", { class: "slider-value" }, field, p.unit && p.unit !== "1" ? el("span", { class: "soft" }, p.unit) : null, reset),
-    el("div", { class: "slider-track" }, bounded ? interval : null, origin, slider),
+    el("label", { for: id, class: "slider-label" }, p.label ?? p.name, nameBelow(p)),
+    el("div", { class: "slider-value" }, field, unitText(p.unit) ? el("span", { class: "soft" }, unitText(p.unit)) : null, reset),
+    el("div", { class: "slider-track" }, bounded && p.reach > 0 ? interval : null, origin, slider),
     note,
     p.text ? el("p", { class: "slider-text" }, p.text) : null,
   );
@@ -88,10 +91,13 @@ function sliderRow(p, changed, served) {
     const beyond = isBeyond(p, v);
     node.classList.toggle("beyond", beyond);
     node.classList.toggle("changed", v !== p.null);
-    note.textContent = !bounded
-      ? ""
-      : beyond
-        ? `Beyond ${plain(from)} to ${plain(to)} the straight line is off by more than 1 %${served ? "; it is computed." : "; umbra serve computes it."}`
+    const end = served ? "it is computed." : "umbra serve computes it.";
+    if (bounded && p.reach === 0) note.textContent = beyond ? `How far the straight line holds is not known; ${end}` : "";
+    else
+      note.textContent = !bounded
+        ? ""
+        : beyond
+        ? `Beyond ${plain(from)} to ${plain(to)} the straight line is off by more than 1 %; ${end}`
         : `the line is good to 1 % from ${plain(from)} to ${plain(to)}`;
   }
   return { node, set };

@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Clock, clockKey, nearest } from "../src/clock.js";
 import { csvText } from "../src/csv.js";
-import { exact, number, position, utcClock, utcDate, utcIso } from "../src/format.js";
+import { exact, nameAndUnit, number, plain, position, utcClock, utcDate, utcIso } from "../src/format.js";
 import { shapeEdges } from "../src/scene_edges.js";
-import { niceStep, tickLabels, ticks } from "../src/ticks.js";
+import { commonPower, niceStep, tickLabels, ticks } from "../src/ticks.js";
 import { isBeyond, moved, rangeOf, statedInterval, telling } from "../src/whatif.js";
 import { createSatellite } from "./satellite.mjs";
 
@@ -18,6 +18,9 @@ test("numbers have the digits that say something", () => {
   assert.equal(number(0), "0");
   assert.equal(number(NaN), "–");
   assert.equal(number(200), "200");
+  assert.equal(plain(0.8), "0.8");
+  assert.equal(nameAndUnit("irradiance", "W/m^2"), "irradiance, W/m²");
+  assert.equal(nameAndUnit("share", "1"), "share");
 });
 
 test("instants are of UTC, and seconds are rounded, not cut", () => {
@@ -33,6 +36,11 @@ test("marks stand at round places within the axis", () => {
   assert.deepEqual(ticks(0, 10, 5, "linear"), [0, 2, 4, 6, 8, 10]);
   assert.deepEqual(tickLabels([0, 0.25, 0.5], "linear"), ["0.00", "0.25", "0.50"]);
   assert.deepEqual(tickLabels([-10, 0, 10], "linear"), ["−10", "0", "10"]);
+  assert.deepEqual(tickLabels([0, 2.5, 5], "linear"), ["0.0", "2.5", "5.0"]);
+  assert.deepEqual(tickLabels([0, 25, 50], "linear"), ["0", "25", "50"]);
+  assert.deepEqual(tickLabels([0, 2.5e-11, 5e-11, 7.5e-11], "linear"), ["0.0", "2.5", "5.0", "7.5"]);
+  assert.equal(commonPower([0, 2.5e-11, 5e-11, 7.5e-11], "linear"), -11);
+  assert.equal(commonPower([0, 500], "linear"), 0);
   assert.equal(niceStep(10, 5), 2);
   const decades = ticks(1e-4, 1e3, 4, "log");
   assert.ok(decades.every((v) => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9));
@@ -71,7 +79,7 @@ test("what-ifs are base and sum of changes, with the stated share of error", () 
   const curve = { base: Float64Array.from([10, 20]), derivative: [Float64Array.from([1, -2]), Float64Array.from([0.5, 0.25])], error: [0.1, 0] };
   const now = moved(curve, parameters, [1.5, 4]);
   assert.deepEqual([...now.value], [12.5, 20]);
-  assert.deepEqual([...now.error].map((v) => Number(v.toFixed(12))), [0.05, 0.1]);
+  assert.deepEqual([...now.error].map((v) => Number(v.toFixed(12))), [0.1, 0.1]);
   assert.deepEqual([...moved(curve, parameters, [1, 0]).value], [10, 20]);
   assert.equal(telling(0, { null: 1, width: 0.5 }, [curve]), 0.05);
 });
