@@ -31,9 +31,9 @@ export function plain(value, digits = 4) {
   return Number.isFinite(short) && (size === 0 || (size >= 1e-4 && size < 1e7)) ? String(short).replace(/^-/, MINUS) : number(value, digits);
 }
 
-/** A unit as it is read: m^2 becomes m². "1" and "" are none. */
+/** A unit as it is read: m^2 and m2 become m². "1" and "" are none. */
 export function unitText(unit) {
-  return !unit || unit === "1" ? "" : String(unit).replace(/\^(-?\d+)/g, (all, power) => [...power].map((c) => SUPERSCRIPT[c]).join(""));
+  return !unit || unit === "1" ? "" : String(unit).replace(/\^(-?\d+)|(?<=\bm)([23])\b/g, (all, first, second) => [...(first ?? second)].map((c) => SUPERSCRIPT[c]).join(""));
 }
 
 /** A number with a unit behind it. */

@@ -20,6 +20,7 @@ test("numbers have the digits that say something", () => {
   assert.equal(number(200), "200");
   assert.equal(plain(0.8), "0.8");
   assert.equal(nameAndUnit("irradiance", "W/m^2"), "irradiance, W/m²");
+  assert.equal(nameAndUnit("cross-section", "m2/sr"), "cross-section, m²/sr");
   assert.equal(nameAndUnit("share", "1"), "share");
 });
 
