@@ -6,7 +6,7 @@
  * viewer.sha256 has two lines, base64: that of viewer.js, that of viewer.css. They hold for the files'
  * bytes between <script> and </script>, <style> and </style>, with nothing added, not even a line end. */
 import { createHash } from "node:crypto";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -14,6 +14,10 @@ import { build } from "esbuild";
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = resolve(process.argv[2] ?? join(here, "dist"));
 const LARGEST = 700e3;
+
+/** Licenses travel with the code that they are of. */
+const license = (name) => readFileSync(join(here, "node_modules", name, "LICENSE"), "utf8").trim().replaceAll("*/", "* /").replaceAll("\u00a9", "(c)");
+const notice = `/* Umbra page viewer, GPL-3.0-or-later. It contains three.js and uPlot.\n\nthree.js: ${license("three")}\n\nuPlot: ${license("uplot")}\n*/`;
 
 const result = await build({
   absWorkingDir: here,
@@ -25,9 +29,7 @@ const result = await build({
   target: ["chrome100", "firefox113", "safari16.4"],
   charset: "ascii",
   legalComments: "none",
-  banner: {
-    js: "/* Umbra page viewer, GPL-3.0-or-later. With three.js (MIT, three.js authors) and uPlot (MIT, Leon Sorokin). */",
-  },
+  banner: { js: notice },
   logLevel: "warning",
   write: false,
 });

@@ -1,7 +1,7 @@
 /* The figure "bars": named values beside each other, with errors. */
 import { el } from "./dom.js";
-import { nameAndUnit, number, quantity } from "./format.js";
-import { tickLabels, ticks } from "./ticks.js";
+import { nameAndUnit, number, powerOfTen, quantity } from "./format.js";
+import { commonPower, tickLabels, ticks } from "./ticks.js";
 
 function scaleOf(bars, log) {
   const values = bars.flatMap((b) => [b.value, b.value - (b.error ?? 0), b.value + (b.error ?? 0)]).filter((v) => Number.isFinite(v) && (!log || v > 0));
@@ -27,6 +27,8 @@ export function drawBars(figure, { host }) {
   const scale = scaleOf(bars, log);
   const marks = ticks(scale.min, scale.max, 5, log ? "log" : "linear");
   const labels = tickLabels(marks, log ? "log" : "linear");
+  const power = commonPower(marks, log ? "log" : "linear");
+  const tick = (i) => labels[i] + (power && i === marks.length - 1 ? `×${powerOfTen(power)}` : "");
   const grid = () => marks.map((m) => el("span", { class: "bar-grid", style: { left: percent(scale.share(m)) } }));
 
   const rows = bars.map((b) => {
@@ -55,7 +57,7 @@ export function drawBars(figure, { host }) {
       "div",
       { class: "bar-row bar-axis", "aria-hidden": "true" },
       el("div"),
-      el("div", { class: "bar-track" }, marks.map((m, i) => el("span", { class: "bar-tick", style: { left: percent(scale.share(m)) } }, labels[i]))),
+      el("div", { class: "bar-track" }, marks.map((m, i) => el("span", { class: "bar-tick", style: { left: percent(scale.share(m)) } }, tick(i)))),
       el("div"),
     ),
   );

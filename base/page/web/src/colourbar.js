@@ -1,8 +1,8 @@
 /* The bar that says which colour means which value. */
 import { css, mapColour, shareOf } from "./colour.js";
 import { el } from "./dom.js";
-import { nameAndUnit } from "./format.js";
-import { tickLabels, ticks } from "./ticks.js";
+import { nameAndUnit, powerOfTen } from "./format.js";
+import { commonPower, tickLabels, ticks } from "./ticks.js";
 
 /**
  * @returns {{node: HTMLElement, set: (o: {name, unit, min, max, log?: boolean, diverging?: boolean}) => void, point: (value: number) => void}}
@@ -17,7 +17,6 @@ export function createColourBar() {
   return {
     node,
     set({ name: title, unit, min, max, log = false, diverging = false }) {
-      name.textContent = nameAndUnit(title, unit);
       const context = canvas.getContext("2d");
       for (let i = 0; i < 256; i += 1) {
         context.fillStyle = css(mapColour(i / 255, diverging));
@@ -29,6 +28,8 @@ export function createColourBar() {
       const known = Number.isFinite(low) && Number.isFinite(high);
       const marks = known ? (high > low ? ticks(low, high, 5, log ? "log" : "linear") : [low]) : [];
       const labels = tickLabels(marks, log ? "log" : "linear");
+      const power = commonPower(marks, log ? "log" : "linear");
+      name.textContent = nameAndUnit(title, unit) + (power ? `, ×${powerOfTen(power)}` : "");
       scale.replaceChildren(...marks.map((m, i) => el("span", { style: { left: `${100 * place(m)}%` } }, labels[i])));
       pointer.hidden = true;
     },

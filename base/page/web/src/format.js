@@ -31,15 +31,20 @@ export function plain(value, digits = 4) {
   return Number.isFinite(short) && (size === 0 || (size >= 1e-4 && size < 1e7)) ? String(short).replace(/^-/, MINUS) : number(value, digits);
 }
 
-/** A number with a unit behind it; "1" and "" are no unit. */
+/** A unit as it is read: m^2 and m2 become m². "1" and "" are none. */
+export function unitText(unit) {
+  return !unit || unit === "1" ? "" : String(unit).replace(/\^(-?\d+)|(?<=\bm)([23])\b/g, (all, first, second) => [...(first ?? second)].map((c) => SUPERSCRIPT[c]).join(""));
+}
+
+/** A number with a unit behind it. */
 export function quantity(value, unit, digits = 4) {
   const text = number(value, digits);
-  return unit && unit !== "1" && text !== "–" ? `${text} ${unit}` : text;
+  return unitText(unit) && text !== "–" ? `${text} ${unitText(unit)}` : text;
 }
 
 /** "name, unit" as a heading of an axis. */
 export function nameAndUnit(name, unit) {
-  return unit && unit !== "1" ? `${name}, ${unit}` : String(name ?? "");
+  return unitText(unit) ? `${name}, ${unitText(unit)}` : String(name ?? "");
 }
 
 /** All digits that tell a double, or a single, from its neighbours: for files. */

@@ -31,7 +31,7 @@ function head(doc) {
     { class: "page-head" },
     el("p", { class: "program" }, doc.program ?? "umbra", doc.command ? el("code", {}, doc.command) : null),
     el("h1", {}, doc.title ?? ""),
-    (doc.lead ?? []).map((text, i) => el("p", { class: i === 0 ? "lead first" : "lead" }, text)),
+    [doc.lead ?? []].flat().map((text, i) => el("p", { class: i === 0 ? "lead first" : "lead" }, text)),
     doc.facts?.length > 0
       ? el("dl", { class: "facts" }, doc.facts.map((f) => el("div", {}, el("dt", {}, f.name), el("dd", {}, f.value))))
       : null,
@@ -74,7 +74,7 @@ function layOut(page) {
       "section",
       { id: `section-${i + 1}`, tabindex: "-1", "aria-labelledby": `question-${i + 1}`, data: { id: s.id } },
       el("h2", { id: `question-${i + 1}` }, s.question ?? s.id, level(s)),
-      (s.text ?? []).map((t) => el("p", { class: "section-text" }, t)),
+      [s.text ?? []].flat().map((t) => el("p", { class: "section-text" }, t)),
       own.map((f) => f.node),
     );
   });

@@ -114,7 +114,7 @@ export function drawMap(figure, { array, host, clock: shared }) {
       { name: z.name, unit: z.unit, values: zs },
     ];
   };
-  return { clock, columns, series: () => [{ name: z.name, unit: z.unit, x: Array.from(xs), y: Array.from(ys), z: Array.from(zs) }] };
+  return { clock, plots: [plot.uplot], columns, series: () => [{ name: z.name, unit: z.unit, x: Array.from(xs), y: Array.from(ys), z: Array.from(zs) }] };
 }
 
 function ascendingNearest(values, at) {

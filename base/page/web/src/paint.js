@@ -94,10 +94,10 @@ export function paintBetween(u, s, lowOf, highOf, style, alpha) {
   ctx.restore();
 }
 
-function clip(u) {
+function clip(u, room = 0) {
   const { ctx, bbox } = u;
   ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.rect(bbox.left - room, bbox.top, bbox.width + 2 * room, bbox.height);
   ctx.clip();
 }
 
@@ -113,7 +113,8 @@ export function paintPoints(u, s, style, dense) {
   const radius = (dense ? 1.7 : 2.6) * dpr();
   const cap = 2.5 * dpr();
   ctx.save();
-  clip(u);
+  // A point at the end of the axis is seen whole.
+  clip(u, 4 * dpr());
   ctx.strokeStyle = style;
   ctx.fillStyle = style;
   ctx.lineWidth = 1 * dpr();
@@ -121,7 +122,7 @@ export function paintPoints(u, s, style, dense) {
     const v = s.y[i];
     if (!Number.isFinite(v) || (log && v <= 0)) continue;
     const x = u.valToPos(s.x[i], "x", true);
-    if (x < bbox.left - radius || x > bbox.left + bbox.width + radius) continue;
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
     const [low, high] = ends(s, i);
     if (high > low) {
       const bottom = log && low <= 0 ? bbox.top + bbox.height : u.valToPos(low, "y", true);

@@ -62,6 +62,7 @@ const height = (count, host) => {
  * @param {{from: number, to: number, name: string}[]} o.shades
  * @param {{name, unit, scale, stacked, zero, series: object[]}[]} o.panels series as of series.js
  * @param {{name: string}[]} [o.sets] whose number a series may carry
+ * @param {string} [o.dashed] what a dashed grey line is
  * @param {(at: number) => string} [o.remark] said behind the place in the readout
  */
 export function createPanels(o) {
@@ -134,7 +135,7 @@ export function createPanels(o) {
       label: `${o.title}: ${nameAndUnit(p.name, p.unit)} over ${x.name}`,
       lines: lines.map((s) => ({ colour: s.colour, dash: s.dash, width: s.base !== undefined ? 0 : s.role === "part" || s.mark === "area" ? 1.25 : 1.9, step: s.mark === "step" })),
       data: () => (usable ? [o.xs, ...lines.map(drawn)] : [full]),
-      yRange: (from, to) => roomAbout(...shownOf(reachOf(series, from, to, log), p.scale), p.scale ?? "linear", p.zero || p.stacked),
+      yRange: (from, to) => roomAbout(...shownOf(reachOf(series, from, to, log), p.scale), p.scale ?? "linear", p.zero || p.stacked, p.unit !== "K"),
       snap,
       spoken: spokenOf(series, p.unit),
       dots: (at) =>
@@ -166,7 +167,7 @@ export function createPanels(o) {
   });
 
   const label = x.scale === "time" ? `UTC, ${dates(full)}` : nameAndUnit(x.name, x.unit);
-  host.append(el("p", { class: "x-name" }, label, shadeKey(shades)));
+  host.append(el("p", { class: "x-name" }, label, shadeKey(shades, o.dashed)));
 
   function show(at) {
     if (!Number.isFinite(at)) return;
@@ -208,7 +209,7 @@ function dates([from, to]) {
   return a === b ? a : `${a} to ${b}`;
 }
 
-function shadeKey(shades) {
+function shadeKey(shades, dashed) {
   const names = [...new Set(shades.map((s) => s.name))];
   const keys = names.map((name) => {
     const swatch = el("span", { class: "swatch shade", "aria-hidden": "true" });
@@ -217,6 +218,7 @@ function shadeKey(shades) {
     onTheme(tint);
     return el("span", { class: "shade-key" }, swatch, name);
   });
+  if (dashed) keys.unshift(el("span", { class: "shade-key" }, el("span", { class: "swatch dashed plain", "aria-hidden": "true" }), dashed));
   return keys.length > 0 ? el("span", { class: "shade-keys" }, keys) : null;
 }
 

@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import { clockKey } from "./clock.js";
 import { el, oncePerFrame } from "./dom.js";
 import { onTheme, colours, isPrinting } from "./theme.js";
-import { tickLabels, ticks } from "./ticks.js";
+import { powerOfTen } from "./format.js";
+import { commonPower, tickLabels, ticks } from "./ticks.js";
 
 const LEFT = 62;
 /** Room for names in place of numbers. */
@@ -36,6 +37,7 @@ export function createPlot(o) {
   const { host, clock } = o;
   let [from, to] = o.full;
   const y0 = o.yRange(from, to);
+  let power = 0;
   const marker = el("div", { class: "marker", hidden: true });
   const dots = [];
   const axisStyle = {
@@ -50,7 +52,7 @@ export function createPlot(o) {
     {
       width: widthOf(host),
       height: o.height,
-      padding: [8, 20, o.last ? 0 : 6, 0],
+      padding: [16, 20, o.last ? 0 : 6, 0],
       legend: { show: false },
       scales: {
         x: { time: false, auto: false, min: from, max: to, distr: o.xType === "log" ? 3 : 1 },
@@ -69,7 +71,10 @@ export function createPlot(o) {
           size: o.names ? NAMES : LEFT,
           filter: every,
           splits: (v, i, min, max) => o.names?.places ?? ticks(min, max, Math.max(2, v.bbox.height / devicePixelRatio / 34), o.yType),
-          values: (v, marks) => o.names?.texts ?? tickLabels(marks, o.yType),
+          values: (v, marks) => {
+            power = o.names ? 0 : commonPower(marks, o.yType);
+            return o.names?.texts ?? tickLabels(marks, o.yType);
+          },
         },
       ],
       series: [
@@ -91,7 +96,7 @@ export function createPlot(o) {
       },
       hooks: {
         drawClear: [(v) => o.below?.(v)],
-        draw: [(v) => o.above?.(v)],
+        draw: [(v) => o.above?.(v), paintPower],
         setCursor: [(v) => hover(v)],
         setSelect: [(v) => select(v)],
       },
@@ -100,6 +105,25 @@ export function createPlot(o) {
     host,
   );
   u.over.append(marker);
+
+  // A finger that moves across reads values; one that moves up or down scrolls.
+  u.over.addEventListener("pointermove", (e) => {
+    if (e.pointerType !== "touch") return;
+    const at = u.posToVal(e.clientX - u.over.getBoundingClientRect().left, "x");
+    clock.move(o.snap ? o.snap(at) : at);
+  });
+
+  /** The power of ten of the vertical axis, above it. */
+  function paintPower(v) {
+    if (power === 0) return;
+    v.ctx.save();
+    v.ctx.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
+    v.ctx.textAlign = "right";
+    v.ctx.textBaseline = "bottom";
+    v.ctx.fillStyle = colours().soft;
+    v.ctx.fillText(`×${powerOfTen(power)}`, v.bbox.left - 4 * devicePixelRatio, v.bbox.top - 1 * devicePixelRatio);
+    v.ctx.restore();
+  }
 
   function hover(v) {
     if (!(v.cursor.left >= 0)) return;
@@ -194,8 +218,8 @@ function widthOf(host) {
   return Math.max(0, Math.floor(host.clientWidth));
 }
 
-/** The vertical range for values from `min` to `max`, with room about them. */
-export function roomAbout(min, max, type, zero) {
+/** The vertical range for values from `min` to `max`, with room about them; from 0 where it must be, or `may` be and is near. */
+export function roomAbout(min, max, type, zero, may = true) {
   if (!(min <= max)) return type === "log" ? [0.1, 10] : [0, 1];
   if (type === "log") {
     const low = Math.max(min, max * 1e-7);
@@ -203,7 +227,8 @@ export function roomAbout(min, max, type, zero) {
     return [low / room, max * room];
   }
   let [low, high] = [min, max];
-  if (zero || (type !== "magnitude" && low >= 0 && low < 0.45 * high)) [low, high] = [Math.min(0, low), Math.max(0, high)];
+  if (low === 0 && high === 0) return [0, 1];
+  if (zero || (may && type !== "magnitude" && low >= 0 && low < 0.45 * high)) [low, high] = [Math.min(0, low), Math.max(0, high)];
   const span = high - low || Math.abs(high) * 0.1 || 1;
   return [low === 0 ? 0 : low - 0.06 * span, high === 0 ? 0 : high + 0.08 * span];
 }

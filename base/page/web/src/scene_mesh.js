@@ -4,6 +4,9 @@ import {
 } from "three";
 import { shapeEdges } from "./scene_edges.js";
 
+/** So many corners of a joint are looked at for the size of the satellite. */
+const MANY = 4000;
+
 /** Triangles of one joint, each with corners of its own, so that each has one colour. */
 function piece(scene, chosen) {
   const position = new Float32Array(chosen.length * 9);
@@ -20,7 +23,7 @@ function piece(scene, chosen) {
     const surface = scene.surface[chosen[n]];
     return (scene.part[surface] ?? 0) * 65536 + (scene.material[surface] ?? 0);
   };
-  const edges = new LineSegments(shapeEdges(position, kindOf), new LineBasicMaterial({ color: 0x20262b, transparent: true, opacity: 0.6 }));
+  const edges = new LineSegments(shapeEdges(position, (n, k) => scene.triangles[3 * chosen[n] + k], kindOf), new LineBasicMaterial({ color: 0x20262b, transparent: true, opacity: 0.6 }));
   const group = new Group();
   group.add(mesh, edges);
   return { group, mesh, edges };
@@ -88,7 +91,9 @@ function bounds(pieces, pose, times, root) {
     root.updateMatrixWorld(true);
     for (const p of pieces) {
       const place = p.mesh.geometry.getAttribute("position");
-      for (let i = 0; i < place.count; i += 1) f(corner.fromBufferAttribute(place, i).applyMatrix4(p.mesh.matrixWorld));
+      // Many corners: a part of them tells the size as well.
+      const stride = Math.ceil(place.count / MANY);
+      for (let i = 0; i < place.count; i += stride) f(corner.fromBufferAttribute(place, i).applyMatrix4(p.mesh.matrixWorld));
     }
   };
   const instants = [];

@@ -37,8 +37,7 @@ function quantity(q, scene, array) {
     range: (i, instant) => (instant ? extent(at(i), log) : (whole ??= extent(values(), log))),
     colours(i, instant) {
       const share = shareOf(...this.range(i, instant), { log });
-      const now = at(i);
-      return (surface) => mapColour(share(now[surface]));
+      return (surface) => mapColour(share(this.value(i, surface)));
     },
   };
 }

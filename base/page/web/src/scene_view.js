@@ -88,7 +88,14 @@ export function createView(host, scene, freed) {
     [paper.width, paper.height] = [canvas.width, canvas.height];
     paper.getContext("2d").drawImage(canvas, 0, 0);
   }
-  const later = oncePerFrame(draw);
+  // Out of sight nothing is drawn until it comes back.
+  let inSight = true;
+  const later = oncePerFrame(() => inSight && draw());
+  new IntersectionObserver((entries) => {
+    const was = inSight;
+    inSight = entries.at(-1).isIntersecting;
+    if (inSight && !was) draw();
+  }).observe(host);
 
   controls.addEventListener("start", () => {
     if (mode === "free") return;

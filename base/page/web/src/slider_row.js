@@ -1,9 +1,14 @@
 /* One parameter of a what-if: a slider with its stated interval, or a checkbox. */
 import { button, el, freshId } from "./dom.js";
-import { plain, quantity } from "./format.js";
+import { plain, quantity, unitText } from "./format.js";
 import { isBeyond, rangeOf, statedInterval } from "./whatif.js";
 
 const STEPS = 1000;
+/** Width of a slider's handle, pixels. */
+const HANDLE = 16;
+
+/** Labels of one effect on several materials are alike; names tell them apart. */
+const nameBelow = (p) => (p.label && p.label !== p.name ? el("span", { class: "slider-name" }, p.name) : null);
 
 function numericField(p, id, changed) {
   return el("input", {
@@ -35,7 +40,7 @@ function switchRow(p, changed) {
   const node = el(
     "div",
     { class: "slider-row switch-row", data: { name: p.name } },
-    el("label", { for: id, class: "slider-label" }, box, el("span", {}, p.label ?? p.name)),
+    el("label", { for: id, class: "slider-label" }, box, el("span", {}, p.label ?? p.name, nameBelow(p))),
     p.text ? el("p", { class: "slider-text" }, p.text) : null,
   );
   return { node, set: (v) => (box.checked = v === on) };
@@ -51,7 +56,9 @@ function sliderRow(p, changed, served) {
   const within = (v) => Math.min(Number.isFinite(p.maximum) ? p.maximum : v, Math.max(Number.isFinite(p.minimum) ? p.minimum : v, v));
   const [from, to] = statedInterval(p);
   const bounded = Number.isFinite(p.reach);
-  const share = (v) => Math.min(100, Math.max(0, toPlace(v) / (STEPS / 100)));
+  const share = (v) => Math.min(1, Math.max(0, toPlace(v) / STEPS));
+  // The handle's middle keeps half its width from the ends.
+  const left = (s) => `calc(${HANDLE / 2}px + (100% - ${HANDLE}px) * ${s})`;
 
   const slider = el("input", {
     type: "range", id, min: 0, max: STEPS, step: 1,
@@ -61,17 +68,17 @@ function sliderRow(p, changed, served) {
   const interval = el("span", {
     class: "slider-interval",
     "aria-hidden": "true",
-    style: { left: `${share(from)}%`, width: `${Math.max(0.6, share(to) - share(from))}%` },
+    style: { left: left(share(from)), width: `max(3px, calc((100% - ${HANDLE}px) * ${share(to) - share(from)}))` },
   });
-  const origin = el("span", { class: "slider-null", "aria-hidden": "true", style: { left: `${share(p.null)}%` } });
+  const origin = el("span", { class: "slider-null", "aria-hidden": "true", style: { left: left(share(p.null)) } });
   const note = el("p", { class: "slider-note", "aria-live": "polite" });
   const reset = button("Reset", () => changed(p.null), { class: "slider-reset", "aria-label": `Reset ${p.label ?? p.name}` });
   const node = el(
     "div",
     { class: "slider-row", data: { name: p.name } },
-    el("label", { for: id, class: "slider-label" }, p.label ?? p.name),
-    el("div", { class: "slider-value" }, field, p.unit && p.unit !== "1" ? el("span", { class: "soft" }, p.unit) : null, reset),
-    el("div", { class: "slider-track" }, bounded ? interval : null, origin, slider),
+    el("label", { for: id, class: "slider-label" }, p.label ?? p.name, nameBelow(p)),
+    el("div", { class: "slider-value" }, field, unitText(p.unit) ? el("span", { class: "soft" }, unitText(p.unit)) : null, reset),
+    el("div", { class: "slider-track" }, bounded && p.reach > 0 ? interval : null, origin, slider),
     note,
     p.text ? el("p", { class: "slider-text" }, p.text) : null,
   );
@@ -84,10 +91,13 @@ function sliderRow(p, changed, served) {
     const beyond = isBeyond(p, v);
     node.classList.toggle("beyond", beyond);
     node.classList.toggle("changed", v !== p.null);
-    note.textContent = !bounded
-      ? ""
-      : beyond
-        ? `Beyond ${plain(from)} to ${plain(to)} the straight line is off by more than 1 %${served ? "; it is computed." : "; umbra serve computes it."}`
+    const end = served ? "it is computed." : "umbra serve computes it.";
+    if (bounded && p.reach === 0) note.textContent = beyond ? `How far the straight line holds is not known; ${end}` : "";
+    else
+      note.textContent = !bounded
+        ? ""
+        : beyond
+        ? `Beyond ${plain(from)} to ${plain(to)} the straight line is off by more than 1 %; ${end}`
         : `the line is good to 1 % from ${plain(from)} to ${plain(to)}`;
   }
   return { node, set };

@@ -8,6 +8,8 @@ import { isBeyond, moved, telling } from "./whatif.js";
 
 const FIRST = 8;
 const WAIT_MS = 350;
+/** A panel shows so many curves at first. */
+const MANY = 6;
 
 /** A curve of the drawing that shares the axis. */
 const line = (name, x, y, more) => ({ name, x, y, own: false, mark: "line", visible: true, stored: { x, y }, ...more });
@@ -20,8 +22,9 @@ function arrange(curves, xs, served) {
     let panel = panels.find((p) => p.name === title && p.unit === c.unit);
     if (!panel) panels.push((panel = { name: title, unit: c.unit, scale: c.scale ?? "linear", series: [] }));
     const y = Float64Array.from(c.base);
-    c.before = line(`${c.name} as it is`, xs, c.base, { role: "before" });
-    c.after = line(c.name, xs, y, { error: new Float64Array(y.length) });
+    const visible = !(c.hidden ?? panel.series.filter((s) => s.role !== "before").length >= MANY);
+    c.before = line(`${c.name} as it is`, xs, c.base, { role: "before", visible, quiet: true });
+    c.after = line(c.name, xs, y, { error: new Float64Array(y.length), visible, with: [c.before] });
     c.computed = line(`${c.name} computed`, xs, new Float64Array(y.length).fill(NaN), { mark: "points" });
     panel.series.push(c.before, c.after, ...(served ? [c.computed] : []));
   }
@@ -33,7 +36,7 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
   const xs = array(x.data) ?? [];
   const clock = x.scale === "time" ? shared : new Clock();
   const curves = figure.curves.map((c) => ({
-    name: c.name, unit: c.unit, panel: c.panel, scale: c.scale, error: c.error,
+    name: c.name, unit: c.unit, panel: c.panel, scale: c.scale, error: c.error, hidden: c.hidden,
     base: array(c.base) ?? [],
     derivative: parameters.map((p, k) => array(c.derivative[k])),
   }));
@@ -45,7 +48,7 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
   const list = el("div", { class: "whatif-list" });
   const status = el("p", { class: "whatif-status", role: "status" });
   host.append(el("div", { class: "whatif" }, chart, el("div", { class: "whatif-controls" }, head(), list, status)));
-  const drawing = createPanels({ host: chart, clock, title: figure.title, x, xs, shades: figure.shade ?? [], panels });
+  const drawing = createPanels({ host: chart, clock, title: figure.title, x, xs, shades: figure.shade ?? [], panels, dashed: "as it is" });
 
   const rows = parameters.map((p, k) => createSliderRow(p, (v) => set(k, v), Boolean(ask)));
   const ranked = parameters.map((p, k) => [k, telling(k, p, curves)]).sort((a, b) => b[1] - a[1]).map(([k]) => k);
@@ -127,8 +130,11 @@ export function drawSliders(figure, { array, host, clock: shared, document: doc 
   return {
     clock,
     columns: () => {
-      const columns = panelColumns(x, xs, panels);
-      return columns.filter((c) => Array.from(c.values).some((v) => Number.isFinite(v)));
+      const columns = panelColumns(x, xs, panels).filter((c) => Array.from(c.values).some((v) => Number.isFinite(v)));
+      const changed = parameters.map((p, k) => k).filter((k) => values[k] !== parameters[k].null);
+      if (changed.length === 0) return columns;
+      // What the curves stand for.
+      return [...columns, { name: "parameter", values: changed.map((k) => String(parameters[k].name)) }, { name: "value", values: changed.map((k) => values[k]) }];
     },
     series: drawing.drawn,
     plots: drawing.plots,

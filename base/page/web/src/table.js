@@ -1,6 +1,6 @@
 /* Columns as a table, and the figure that is a table. Long tables show their first rows until all are asked for. */
 import { button, el } from "./dom.js";
-import { nameAndUnit, number, utcClock, utcDate } from "./format.js";
+import { nameAndUnit, number, plain, utcClock, utcDate } from "./format.js";
 
 const FIRST = 100;
 
@@ -8,10 +8,13 @@ function shown(value, column) {
   if (value === undefined || value === null) return "";
   if (typeof value !== "number") return String(value);
   if (column.time) return `${utcDate(value)} ${utcClock(value, 3).replace(/\.000$/, "")}`;
-  return number(value, 6);
+  return Number.isFinite(value) ? plain(value, 6) : number(value);
 }
 
 const isNumeric = (c) => !Array.isArray(c.values) || c.values.every((v) => typeof v !== "string");
+
+/** A short text stays in one line. */
+const cellOf = (text, column) => el("td", { class: isNumeric(column) ? "numeric" : text.length <= 32 ? "short" : undefined }, text);
 
 function order(column, direction) {
   const values = column.values;
@@ -58,7 +61,7 @@ export function tableOf(columns, caption, sortable = false) {
   const draw = () => {
     body.replaceChildren(
       ...(all ? sequence : sequence.slice(0, FIRST)).map((i) =>
-        el("tr", {}, columns.map((c) => el("td", { class: isNumeric(c) ? "numeric" : undefined }, shown(c.values[i], c)))),
+        el("tr", {}, columns.map((c) => cellOf(shown(c.values[i], c), c))),
       ),
     );
     more.hidden = all;

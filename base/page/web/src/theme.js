@@ -11,7 +11,7 @@ const LIGHT = {
   dark: false,
   ink: "#1d2328", soft: "#5a646d", faint: "#8a949c", grid: "rgba(29,35,40,0.09)", axis: "rgba(29,35,40,0.28)", surface: "#ffffff",
   edge: "#20262b",
-  series: ["#0072b2", "#d55e00", "#009e73", "#c0569a", "#b07c00", "#3b9fd8", "#6b5b95", "#6e6e6e"],
+  series: ["#0072b2", "#d55e00", "#009e73", "#c0569a", "#b07c00", "#2f8fc7", "#6b5b95", "#6e6e6e"],
   before: "#8a949c",
   shade: { umbra: "rgba(49,66,102,0.20)", penumbra: "rgba(49,66,102,0.09)" },
   shades: ["rgba(176,124,0,0.12)", "rgba(0,158,115,0.10)", "rgba(192,86,154,0.10)"],

@@ -1,5 +1,5 @@
 /* Where the marks of an axis stand, and what is written beside them. */
-import { number, powerOfTen, utcClock, utcDate } from "./format.js";
+import { powerOfTen, utcClock, utcDate } from "./format.js";
 
 const DAY = 86400;
 const TIME_STEPS = [
@@ -43,7 +43,14 @@ export function ticks(min, max, count, type) {
   return multiples(min, max, niceStep(max - min, count));
 }
 
-/** What is written beside the marks. */
+/** The power of ten that is written once, not at every mark: of linear axes of very large or small numbers; else 0. */
+export function commonPower(marks, type) {
+  if (type === "time" || type === "log") return 0;
+  const largest = Math.max(0, ...marks.map(Math.abs));
+  return largest >= 1e6 || (largest > 0 && largest < 1e-3) ? Math.floor(Math.log10(largest) + 1e-9) : 0;
+}
+
+/** What is written beside the marks, but for their common power. */
 export function tickLabels(marks, type) {
   if (type === "time") {
     const step = marks.length > 1 ? marks[1] - marks[0] : 60;
@@ -63,9 +70,9 @@ export function tickLabels(marks, type) {
       return mantissa === 1 ? powerOfTen(e) : `${mantissa}×${powerOfTen(e)}`;
     });
   if (type === "log") return marks.map((m) => String(Number(m.toPrecision(3))));
+  const power = 10 ** commonPower(marks, type);
+  if (power !== 1) return tickLabels(marks.map((m) => m / power), type);
   const step = marks.length > 1 ? Math.abs(marks[1] - marks[0]) : Math.abs(marks[0] ?? 1) || 1;
-  const largest = Math.max(...marks.map(Math.abs));
-  if (largest >= 1e6 || (largest > 0 && largest < 1e-3)) return marks.map((m) => number(Math.abs(m) < step * 1e-6 ? 0 : m, 3));
-  const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step) + 1e-9) + (/^[^1-9]*25/.test(step.toPrecision(4)) ? 1 : 0)));
+  const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step) + 1e-9) + (step.toExponential(3).startsWith("2.5") ? 1 : 0)));
   return marks.map((m) => (Math.abs(m) < step * 1e-6 ? 0 : m).toFixed(decimals).replace(/^-/, "−"));
 }

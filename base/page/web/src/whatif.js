@@ -41,7 +41,7 @@ export function telling(index, p, curves) {
 }
 
 /**
- * base + sum of (value - null) derivative, and its error by the shares that are stated of each derivative.
+ * base + sum of (value - null) derivative, and its error: that of a derivative is a share of its largest value.
  * @param {{base: ArrayLike<number>, derivative: (ArrayLike<number>|null)[], error?: number[]}} curve
  * @param {{null: number}[]} parameters @param {number[]} values
  * @returns {{value: Float64Array, error: Float64Array}}
@@ -54,10 +54,12 @@ export function moved(curve, parameters, values) {
     const d = curve.derivative[k];
     if (by === 0 || !d) return;
     const share = curve.error?.[k] ?? 0;
+    let largest = 0;
     for (let i = 0; i < value.length; i += 1) {
       value[i] += by * d[i];
-      error[i] += Math.abs(by * d[i]) * (Number.isFinite(share) ? share : 0);
+      if (Math.abs(d[i]) > largest) largest = Math.abs(d[i]);
     }
+    if (share > 0) for (let i = 0; i < value.length; i += 1) error[i] += Math.abs(by) * largest * share;
   });
   return { value, error };
 }

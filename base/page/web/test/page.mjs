@@ -8,11 +8,14 @@ export class Numbers {
   constructor() {
     this.parts = [];
     this.arrays = [];
+    /** What a reader must get of each array. */
+    this.values = [];
     this.at = 0;
   }
 
   #put(type, values, more = {}) {
     const bytes = Buffer.from(values.buffer, values.byteOffset, values.byteLength);
+    this.values.push(Array.from(values, (v) => (type !== "u16" ? v : v === 65535 ? NaN : more.offset + more.scale * v)));
     this.arrays.push({ type, count: values.length, at: this.at, ...more });
     const padding = (8 - (bytes.length % 8)) % 8;
     this.parts.push(bytes, Buffer.alloc(padding));

@@ -3,9 +3,11 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Clock, clockKey, nearest } from "../src/clock.js";
 import { csvText } from "../src/csv.js";
-import { exact, number, position, utcClock, utcDate, utcIso } from "../src/format.js";
-import { niceStep, tickLabels, ticks } from "../src/ticks.js";
+import { exact, nameAndUnit, number, plain, position, utcClock, utcDate, utcIso } from "../src/format.js";
+import { shapeEdges } from "../src/scene_edges.js";
+import { commonPower, niceStep, tickLabels, ticks } from "../src/ticks.js";
 import { isBeyond, moved, rangeOf, statedInterval, telling } from "../src/whatif.js";
+import { createSatellite } from "./satellite.mjs";
 
 const at = Date.UTC(2016, 8, 21, 20, 36, 59) / 1000;
 
@@ -16,6 +18,10 @@ test("numbers have the digits that say something", () => {
   assert.equal(number(0), "0");
   assert.equal(number(NaN), "–");
   assert.equal(number(200), "200");
+  assert.equal(plain(0.8), "0.8");
+  assert.equal(nameAndUnit("irradiance", "W/m^2"), "irradiance, W/m²");
+  assert.equal(nameAndUnit("cross-section", "m2/sr"), "cross-section, m²/sr");
+  assert.equal(nameAndUnit("share", "1"), "share");
 });
 
 test("instants are of UTC, and seconds are rounded, not cut", () => {
@@ -31,6 +37,11 @@ test("marks stand at round places within the axis", () => {
   assert.deepEqual(ticks(0, 10, 5, "linear"), [0, 2, 4, 6, 8, 10]);
   assert.deepEqual(tickLabels([0, 0.25, 0.5], "linear"), ["0.00", "0.25", "0.50"]);
   assert.deepEqual(tickLabels([-10, 0, 10], "linear"), ["−10", "0", "10"]);
+  assert.deepEqual(tickLabels([0, 2.5, 5], "linear"), ["0.0", "2.5", "5.0"]);
+  assert.deepEqual(tickLabels([0, 25, 50], "linear"), ["0", "25", "50"]);
+  assert.deepEqual(tickLabels([0, 2.5e-11, 5e-11, 7.5e-11], "linear"), ["0.0", "2.5", "5.0", "7.5"]);
+  assert.equal(commonPower([0, 2.5e-11, 5e-11, 7.5e-11], "linear"), -11);
+  assert.equal(commonPower([0, 500], "linear"), 0);
   assert.equal(niceStep(10, 5), 2);
   const decades = ticks(1e-4, 1e3, 4, "log");
   assert.ok(decades.every((v) => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9));
@@ -69,7 +80,7 @@ test("what-ifs are base and sum of changes, with the stated share of error", () 
   const curve = { base: Float64Array.from([10, 20]), derivative: [Float64Array.from([1, -2]), Float64Array.from([0.5, 0.25])], error: [0.1, 0] };
   const now = moved(curve, parameters, [1.5, 4]);
   assert.deepEqual([...now.value], [12.5, 20]);
-  assert.deepEqual([...now.error].map((v) => Number(v.toFixed(12))), [0.05, 0.1]);
+  assert.deepEqual([...now.error].map((v) => Number(v.toFixed(12))), [0.1, 0.1]);
   assert.deepEqual([...moved(curve, parameters, [1, 0]).value], [10, 20]);
   assert.equal(telling(0, { null: 1, width: 0.5 }, [curve]), 0.05);
 });
@@ -102,4 +113,17 @@ test("the clock steps through samples, and keys zoom", () => {
   assert.equal(key("x"), false);
   assert.equal(nearest([0, 1, 2], 1.6), 2);
   assert.equal(nearest([], 1), -1);
+});
+
+test("edges show the shape, not the mesh", () => {
+  const mesh = createSatellite();
+  const of = (chosen) => {
+    const position = new Float32Array(chosen.flatMap((t) => [0, 1, 2].flatMap((k) => mesh.vertices.slice(3 * mesh.triangles[3 * t + k], 3 * mesh.triangles[3 * t + k] + 3))));
+    const geometry = shapeEdges(position, (t, k) => mesh.triangles[3 * chosen[t] + k], (t) => mesh.surfaces[mesh.surface[chosen[t]]].material);
+    return geometry.getAttribute("position").count / 2;
+  };
+  const all = [...mesh.body.keys()];
+  // The box has twelve edges of twelve cells; front and back of the panel share its rim of 6 and 14.
+  assert.equal(of(all.filter((t) => mesh.body[t] === 0)), 12 * 12);
+  assert.equal(of(all.filter((t) => mesh.body[t] === 1)), 2 * (6 + 14));
 });
