@@ -8,7 +8,6 @@ import subprocess
 
 # How the program is asked. Everything that names a command of it stands here.
 ASK = {
-    "help of all": ["help", "all"],
     "help": ["help"],
     "keys": ["list", "keys"],
     "materials": ["list", "materials"],
@@ -43,9 +42,10 @@ def block(text, kind="text"):
 
 def commands(program, folder):
     """A page a command, with its help, in the order of the program."""
-    names = re.findall(r"^\*umbra ([a-z]+)\*$", program.ask("help of all"), re.M)
+    listed = program.ask("help").split(":\n", 2)[-1]  # behind the title and the usual way
+    names = list(dict.fromkeys(re.findall(r"^  umbra ([a-z]+)  ", listed, re.M)))
     if not names:
-        raise SystemExit("umbra help all names no command as *umbra NAME*")
+        raise SystemExit("umbra help names no command as 'umbra NAME'")
     pages = []
     for name in names:
         text = f"# umbra {name}\n\n" + block(program.ask("help", name))
