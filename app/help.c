@@ -197,7 +197,7 @@ static const struct {
 } path[] = {
     {"umbra new NAME", "a scenario to begin with"},
     {"umbra check NAME --view", "the satellite, before anything is solved"},
-    {"umbra run NAME", "light curves, temperatures, a page to look at"},
+    {"umbra run NAME", "light curves, temperatures, a page"},
     {"umbra compare SCENARIO MEASURED", "how far measurements are off"},
     {"umbra diagnose SCENARIO MEASURED", "which effect is missing"},
 };

@@ -122,6 +122,26 @@ static void exit_status(FILE *file)
   line(file, UM_APP_HELP_SIGNALS);
 }
 
+/* What a verb lists behind its options, a line each. */
+static void listed(FILE *file, const struct um_app_verb *verb)
+{
+  char *text = NULL;
+  size_t size = 0;
+  FILE *memory = verb->list != NULL ? open_memstream(&text, &size) : NULL;
+  if (memory == NULL) return;
+  verb->list(memory);
+  if (fclose(memory) == 0) {
+    fprintf(file, ".SH \"%s\"\n.nf\n", verb->listed);
+    for (char *at = text, *end; at != NULL && *at != '\0'; at = end) {
+      end = at + strcspn(at, "\n");
+      if (*end == '\n') *end++ = '\0';
+      line(file, at);
+    }
+    fputs(".fi\n", file);
+  }
+  free(text);
+}
+
 void um_app_manual_verb(FILE *file, const struct um_app_verb *verb)
 {
   char name[64], text[UM_APP_HELP_TEXT];
@@ -143,6 +163,7 @@ void um_app_manual_verb(FILE *file, const struct um_app_verb *verb)
   options(file, verb->needs, true);
   options(file, verb->accepts, false);
   options(file, "threads help", false);
+  listed(file, verb);
   examples(file, verb->examples);
   exit_status(file);
   fputs(".SH \"SEE ALSO\"\n\\fBumbra\\fR(1)\n", file);

@@ -18,10 +18,9 @@ enum um_status um_output_page_column(struct um_output_page *p, double **out)
 
 void um_output_page_picture(struct um_output_page *p, const char *name)
 {
-  char *path = NULL;
-  if (um_core_asprintf(p->context, &path, "%s/%s", p->folder, name) == UM_OK)
-    um_page_picture(p->page, path);
-  um_core_free(p->context, path);
+  char path[4096];
+  int n = snprintf(path, sizeof path, "%s/%s", p->folder, name);
+  if (n > 0 && (size_t)n < sizeof path) um_page_picture(p->page, path);
 }
 
 static enum um_status times(struct um_output_page *p)

@@ -38,7 +38,7 @@ holds() { # one that is offered, words...
 }
 
 complete -p umbra | grep -q -- '-F _umbra umbra' || fail "not registered"
-expect "render|retrieve|run|" umbra r
+expect "render|report|retrieve|run|" umbra r
 expect "--version|" umbra --v
 expect "completion|" umbra help compl
 expect "|" umbra effec # an old name

@@ -88,8 +88,8 @@ static void test_old_name(void **state)
   command_expect(0, "export", "box.yaml", "--as", "exchange", "-o", "new", "--set", inside, NULL);
   struct command c = command_run("exchange", "box.yaml", "--out", "old", "--set", inside, NULL);
   assert_int_equal(c.code, 0);
-  assert_string_equal(c.err, "umbra: umbra exchange is now umbra export --as exchange; the old "
-                             "name goes until 0.6\n");
+  assert_string_equal(c.err, "umbra exchange is now umbra export --as=exchange; the old name works "
+                             "until version 0.6\n");
   command_release(&c);
   char *a = command_snapshot("new"), *b = command_snapshot("old");
   for (char *at; (at = strstr(b, "old/")) != NULL;) memcpy(at, "new/", 4);

@@ -22,7 +22,7 @@ for verb in $("$umbra" help | sed -n 's/^  umbra \([a-z]*\)  .*/\1/p'); do
   # without name, headings and what roff makes of letters
   sed '/^\.SH NAME/,/^\.SH SYNOPSIS/d; /^\.SH "SEE ALSO"/,$d' "$page" |
     sed '/^\./d; s/\\f[BIR]//g; s/\\-/-/g; s/\\&//g; s/\\e/\\/g' | tr -s ' \n' '\n' | sed '/^$/d' >page
-  "$umbra" help "$verb" | sed '/^Arguments:$/d; /^Options:$/d; /^Examples:$/d; /^Exit status:$/d' |
+  "$umbra" help "$verb" | sed '/^Arguments:$/d; /^Options:$/d; /^Kinds:$/d; /^Examples:$/d; /^Exit status:$/d' |
     tr -s ' \n' '\n' | sed '/^$/d' >help
   diff help page >difference || fail "umbra-$verb.1 has other words than the help: $(head -4 difference)"
   if command -v man >/dev/null && command -v groff >/dev/null; then

@@ -35,7 +35,7 @@ static const struct misuse {
      "usage: umbra run"},
     {{"run", "a", "--time", "now"}, "does not take --time", "usage: umbra run"},
     {{"check"}, "SCENARIO is missing", "usage: umbra check SCENARIO"},
-    {{"check", "a", "--force"}, "does not take --force", "usage: umbra check"},
+    {{"check", "a", "--days"}, "does not take --days", "usage: umbra check"},
     {{"forecast"}, "SCENARIO is missing", "usage: umbra forecast SCENARIO"},
     {{"forecast", "a", "--times", "--out", "x"},
      "--out does not go with --times",

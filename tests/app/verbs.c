@@ -508,13 +508,16 @@ static void test_old_names(void **state)
 static void test_groups(void **state)
 {
   (void)state;
-  static const char *const order[] = {
-      "\nThe usual way:\n", "  umbra run SCENARIO ", "  umbra compare SCENARIO MEASURED ",
-      "\nSimulate:\n",      "\n  umbra run  ",       "\n  umbra check  ",
-      "\nObserve:\n",       "\n  umbra forecast  ",  "\n  umbra render  ",
-      "\nCompare:\n",       "\n  umbra compare  ",   "\n  umbra diagnose  ",
-      "\nExplore:\n",       "\n  umbra study  ",     "\n  umbra sensitivity  ",
-      "\nLook up:\n",       "\n  umbra list  ",      "\n  umbra help  "};
+  static const char *const order[] = {"\nThe usual way:\n",   "  umbra new NAME ",
+                                      "  umbra run NAME ",    "  umbra compare SCENARIO MEASURED ",
+                                      "\nSimulate:\n",        "\n  umbra run  ",
+                                      "\n  umbra check  ",    "\nObserve:\n",
+                                      "\n  umbra forecast  ", "\n  umbra render  ",
+                                      "\nCompare:\n",         "\n  umbra compare  ",
+                                      "\n  umbra diagnose  ", "\nExplore:\n",
+                                      "\n  umbra study  ",    "\n  umbra sensitivity  ",
+                                      "\nLook up:\n",         "\n  umbra list  ",
+                                      "\n  umbra help  "};
   struct command c = command_run("--help", NULL);
   const char *at = c.out;
   for (size_t i = 0; i < sizeof order / sizeof order[0]; i++) {

@@ -125,9 +125,10 @@ static enum um_status picture(struct subject *s)
 
 static void results_remove(const struct subject *s)
 {
-  static const char *const names[] = {
-      ".umbra",           "lightcurve.csv", "materials.csv", "temperatures.csv", "heat.csv",
-      "temperatures.cic", "run.nc",         "run.xdmf",      "scenario.yaml",    "log.txt"};
+  static const char *const names[] = {".umbra",           "lightcurve.csv", "materials.csv",
+                                      "temperatures.csv", "heat.csv",       "temperatures.cic",
+                                      "run.nc",           "run.xdmf",       "scenario.yaml",
+                                      "report.html",      "log.txt"};
   char path[2 * UM_TEST_PATH];
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
     snprintf(path, sizeof path, "%s/%s", s->results, names[i]);
