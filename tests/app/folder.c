@@ -34,10 +34,10 @@ static void expect_names(const char *folder, const char *expected)
 
 #define FILES(folder)                                                                              \
   folder "/.umbra\n" folder "/heat.csv\n" folder "/lightcurve.csv\n" folder "/log.txt\n" folder    \
-         "/materials.csv\n" folder "/run.nc\n" folder "/run.xdmf\n" folder                         \
+         "/materials.csv\n" folder "/report.html\n" folder "/run.nc\n" folder "/run.xdmf\n" folder \
          "/scenario.yaml\n" folder "/temperatures.cic\n" folder "/temperatures.csv\n"
 
-/* Everything of DESIGN.md but the report page; nothing beside the folder. */
+/* Everything that a run writes; nothing beside the folder. */
 static void test_appears_whole(void **state)
 {
   (void)state;
