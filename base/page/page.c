@@ -8,8 +8,6 @@
 #include "base/core/json.h"
 #include "base/page/page_impl.h"
 
-#define SENTENCE 2048 /* [bytes] of a text, at most */
-
 #define TEXTS(page)                                                                                \
   {                                                                                                \
     &(page)->lead, &(page)->facts, &(page)->sections, &(page)->scene, &(page)->arrays,             \
@@ -64,35 +62,45 @@ void um_page_key(FILE *file, const char *key, const char *text)
   if (text != NULL) um_core_json_text(file, ", ", key, text);
 }
 
+/* A sentence as JSON, and as HTML between the two pieces of markup; whole, however long it is. */
+static void put_sentence(FILE *json, FILE *html, const char *before, const char *behind,
+                         const char *format, va_list values)
+{
+  char *text = NULL;
+  size_t length = 0;
+  FILE *memory = open_memstream(&text, &length);
+  if (memory == NULL) return;
+  (void)vfprintf(memory, format, values);
+  if (fclose(memory) == 0) {
+    um_core_json_string(json, text);
+    fputs(before, html);
+    um_page_plain_text(html, text);
+    fputs(behind, html);
+  }
+  free(text);
+}
+
 void um_page_lead(struct um_page *page, const char *format, ...)
 {
-  char text[SENTENCE];
   va_list values;
-  va_start(values, format);
-  (void)vsnprintf(text, sizeof text, format, values);
-  va_end(values);
   if (page->nlead++ > 0) fputs(", ", page->lead.file);
-  um_core_json_string(page->lead.file, text);
-  fputs("<p>", page->plain_lead.file);
-  um_page_plain_text(page->plain_lead.file, text);
-  fputs("</p>\n", page->plain_lead.file);
+  va_start(values, format);
+  put_sentence(page->lead.file, page->plain_lead.file, "<p>", "</p>\n", format, values);
+  va_end(values);
 }
 
 void um_page_fact(struct um_page *page, const char *name, const char *format, ...)
 {
-  char text[SENTENCE];
   va_list values;
-  va_start(values, format);
-  (void)vsnprintf(text, sizeof text, format, values);
-  va_end(values);
   um_core_json_text(page->facts.file, page->nfact++ > 0 ? ",\n{" : "{", "name", name);
-  um_core_json_text(page->facts.file, ", ", "value", text);
-  fputc('}', page->facts.file);
+  fputs(", \"value\": ", page->facts.file);
   fputs("<tr><th>", page->plain_facts.file);
   um_page_plain_text(page->plain_facts.file, name);
-  fputs("</th><td>", page->plain_facts.file);
-  um_page_plain_text(page->plain_facts.file, text);
-  fputs("</td></tr>\n", page->plain_facts.file);
+  va_start(values, format);
+  put_sentence(page->facts.file, page->plain_facts.file, "</th><td>", "</td></tr>\n", format,
+               values);
+  va_end(values);
+  fputc('}', page->facts.file);
 }
 
 /* Close the section at hand. */
@@ -125,17 +133,12 @@ void um_page_section(struct um_page *page, const char *id, const char *question,
 
 void um_page_text(struct um_page *page, const char *format, ...)
 {
-  char text[SENTENCE];
   va_list values;
   if (page->state != UM_PAGE_TEXTS) return;
-  va_start(values, format);
-  (void)vsnprintf(text, sizeof text, format, values);
-  va_end(values);
   if (page->ntext++ > 0) fputs(", ", page->sections.file);
-  um_core_json_string(page->sections.file, text);
-  fputs("<p>", page->plain.file);
-  um_page_plain_text(page->plain.file, text);
-  fputs("</p>\n", page->plain.file);
+  va_start(values, format);
+  put_sentence(page->sections.file, page->plain.file, "<p>", "</p>\n", format, values);
+  va_end(values);
 }
 
 void um_page_picture(struct um_page *page, const char *path)

@@ -211,6 +211,29 @@ static void test_numbers(void **state)
   free(text);
 }
 
+/* A sentence of a verdict may be long: it stands whole. */
+static void test_long(void **state)
+{
+  struct um_context *context = *state;
+  const struct um_page_head head = {"c", "run", "t", NULL};
+  struct um_page *page;
+  char *text = NULL, *sentence = malloc(10001);
+  size_t length = 0;
+  assert_non_null(sentence);
+  memset(sentence, 'x', 9999);
+  memcpy(sentence + 9999, "y", 2);
+  FILE *file = open_memstream(&text, &length);
+  assert_non_null(file);
+  assert_int_equal(um_page_create(context, &head, &page), UM_OK);
+  um_page_lead(page, "%s", sentence);
+  assert_int_equal(um_page_write(context, page, file), UM_OK);
+  assert_int_equal(fclose(file), 0);
+  um_page_destroy(context, &page);
+  assert_non_null(strstr(text, "xy\"]"));
+  free(sentence);
+  free(text);
+}
+
 /* Where a line holds everywhere no reach is written; where that is not known, it is 0. */
 static void test_reach(void **state)
 {
@@ -240,6 +263,6 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_document),
                                      cmocka_unit_test(test_hostile), cmocka_unit_test(test_numbers),
-                                     cmocka_unit_test(test_reach)};
+                                     cmocka_unit_test(test_reach), cmocka_unit_test(test_long)};
   return cmocka_run_group_tests(tests, enter, leave);
 }

@@ -1,0 +1,111 @@
+/* Pages of results say what the tables beside them say, and hold the figures of their story. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/app/command.h"
+#include "tests/app/json.h"
+
+#define BOX "box.yaml"
+
+/* The document of a page, which is valid JSON; the caller frees. */
+static char *document(const char *path)
+{
+  static const char mark[] = "id=\"umbra-document\">";
+  char *page = command_read(path), *at = strstr(page, mark);
+  assert_non_null(at);
+  char *end = strstr(at, "</script>");
+  assert_non_null(end);
+  char *json = strndup(at + sizeof mark - 1, (size_t)(end - at) - (sizeof mark - 1));
+  const char *where;
+  assert_non_null(json);
+  if (!json_is_valid(json, &where)) fail_msg("%s: no JSON at %.60s", path, where);
+  free(page);
+  return json;
+}
+
+static void expect(const char *json, const char *const *want, size_t n)
+{
+  const char *at = json;
+  for (size_t i = 0; i < n; i++) {
+    const char *next = strstr(at, want[i]);
+    if (next == NULL) fail_msg("no %s behind %.80s", want[i], at);
+    at = next;
+  }
+}
+#define EXPECT(json, ...)                                                                          \
+  expect(json, (const char *const[]){__VA_ARGS__},                                                 \
+         sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *))
+
+/* The number behind a key of a JSON file. */
+static double number(const char *path, const char *key)
+{
+  char *text = command_read(path), *at = strstr(text, key);
+  assert_non_null(at);
+  double value = strtod(at + strlen(key), NULL);
+  free(text);
+  return value;
+}
+
+static void test_compare(void **state)
+{
+  (void)state;
+  command_expect(0, "synth", BOX, "--noise", "0.02,0.001", "--seed", "3", "-o", "m.csv", "--with",
+                 "emittance:grey_white,factor=0.7", NULL);
+  command_expect(0, "compare", BOX, "m.csv", "--out", "compared", "--no-plots", NULL);
+  char *json = document("compared/report.html"), text[80];
+  snprintf(text, sizeof text, "chi-square %.5g at %.5g degrees of freedom",
+           number("compared/compare.json", "\"chi2\": "),
+           number("compared/compare.json", "\"dof\": "));
+  EXPECT(json, "\"kind\": \"comparison\"", text, "\"id\": \"channel-1\"", "\"measured\"",
+         "\"id\": \"channel-2\"", "\"id\": \"metrics\"", "\"id\": \"worst\"", "\"id\": \"against-");
+  free(json);
+}
+
+static void test_sensitivity(void **state)
+{
+  (void)state;
+  command_expect(0, "sensitivity", BOX, "--only", "emittance:grey_white", "--out", "moved",
+                 "--no-plots", NULL);
+  char *json = document("moved/report.html");
+  EXPECT(json, "\"kind\": \"sliders\"", "\"emittance:grey_white.factor\"", "\"null\": 1",
+         "\"curves\"", "\"id\": \"leaders-", "\"id\": \"parameters\"");
+  free(json);
+}
+
+/* A scenario before it is solved; results beside each other, of which no page of another kind is
+ * one. */
+static void test_view_and_report(void **state)
+{
+  (void)state;
+  command_expect(0, "check", BOX, "--view", "--out", "view", NULL);
+  char *json = document("view/report.html");
+  EXPECT(json, "\"kind\": \"scene\"", "\"id\": \"parts\"", "\"id\": \"materials\"", "\"scene\"");
+  free(json);
+  command_expect(0, "report", "view", "view/report.html", "-o", "both.html", NULL);
+  char *both = command_read("both.html");
+  assert_non_null(strstr(both, "id=\"umbra-document-1\""));
+  assert_non_null(strstr(both, "[\"view\", \"view/report.html\"]"));
+  free(both);
+  command_write("other.html", "<html></html>");
+  struct command c = command_run("report", "view", "other.html", "-o", "none.html", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "other.html: no page of Umbra"));
+  assert_false(command_exists("none.html"));
+  command_release(&c);
+}
+
+static int enter(void **state)
+{
+  if (command_enter(state) != 0) return -1;
+  command_copy_data(BOX);
+  return 0;
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_compare),
+                                     cmocka_unit_test(test_sensitivity),
+                                     cmocka_unit_test(test_view_and_report)};
+  return cmocka_run_group_tests(tests, enter, command_leave);
+}
