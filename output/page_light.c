@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "model/build/bands.h"
 #include "output/lightcurve_impl.h"
 #include "output/page_impl.h"
 
@@ -68,10 +69,19 @@ static enum um_status magnitudes(struct um_output_page *p, size_t band,
   UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_AB, &column[0]));
   UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_VEGA, &column[1]));
   UM_TRY(heading(p, band, "magnitude", &name));
-  series[0] = (struct um_page_series){
-      .name = "AB", .role = "model", .column = column[0], .value = ab, .error = error};
-  series[1] =
-      (struct um_page_series){.name = "Vega", .column = column[1], .value = vega, .hidden = true};
+  bool is_vega = um_model_band_is_vega(p->run->model, band); /* the other one can be shown, too */
+  series[0] = (struct um_page_series){.name = "AB",
+                                      .role = "model",
+                                      .column = column[0],
+                                      .hidden = is_vega,
+                                      .value = ab,
+                                      .error = error};
+  series[1] = (struct um_page_series){.name = "Vega",
+                                      .role = "model",
+                                      .column = column[1],
+                                      .hidden = !is_vega,
+                                      .value = vega,
+                                      .error = error};
   *panel = (struct um_page_panel){
       .name = name, .unit = "mag", .scale = UM_PAGE_MAGNITUDE, .series = series, .nseries = 2};
   return UM_OK;

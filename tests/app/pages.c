@@ -62,6 +62,25 @@ static void test_compare(void **state)
   free(json);
 }
 
+/* Magnitudes are shown in the system that the band states. */
+static void test_run(void **state)
+{
+  (void)state;
+  static const char ab[] = "\"name\": \"AB\", \"role\": \"model\", \"column\": \"vis_mag_ab\", "
+                           "\"mark\": \"line\", \"hidden\": true";
+  command_expect(0, "run", BOX, "--out", "ran", "--no-plots", NULL);
+  char *json = document("ran/report.html");
+  EXPECT(json, "\"id\": \"light\"", "\"id\": \"satellite\"", "\"id\": \"temperatures\"",
+         "\"id\": \"heat\"", "\"id\": \"errors\"");
+  assert_null(strstr(json, ab));
+  free(json);
+  command_expect(0, "run", BOX, "--out", "vega", "--no-plots", "--set",
+                 "bands.vis.vega_magnitude=0.03", NULL);
+  json = document("vega/report.html");
+  assert_non_null(strstr(json, ab));
+  free(json);
+}
+
 static void test_sensitivity(void **state)
 {
   (void)state;
@@ -104,7 +123,7 @@ static int enter(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_compare),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_compare),
                                      cmocka_unit_test(test_sensitivity),
                                      cmocka_unit_test(test_view_and_report)};
   return cmocka_run_group_tests(tests, enter, command_leave);
