@@ -80,7 +80,7 @@ static void json_materials(const struct um_model *model)
 
 /* s: NULL where nothing is known between the measurements. */
 static void print_json(const struct um_model *model, const struct um_environment_sample *s,
-                       const char *start, const char *stop)
+                       const char *start, const char *stop, const char *view)
 {
   um_core_json_text(stdout, "{", "name", model->scenario->name);
   printf(",\n  \"start_utc\": \"%s\", \"stop_utc\": \"%s\"", start, stop);
@@ -98,7 +98,8 @@ static void print_json(const struct um_model *model, const struct um_environment
     printf("%s", b > 0 ? ", " : "");
     um_core_json_string(stdout, model->band[b].name);
   }
-  printf("]}\n");
+  um_core_json_text(stdout, "], ", "view", view);
+  printf("}\n");
 }
 
 /* A page of the satellite, before anything is solved. */
@@ -133,7 +134,7 @@ int um_app_check(struct um_context *context, const struct um_app_options *option
   um_orbit_time_format(time->stop, stop);
   if (options->view) UM_CHECK(write_view(context, options, model, &view));
   if (options->json) {
-    print_json(model, model->points ? NULL : &s, start, stop);
+    print_json(model, model->points ? NULL : &s, start, stop, view);
     goto done;
   }
   if (model->points) {

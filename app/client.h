@@ -148,6 +148,8 @@ struct um_app_option {
   const char *example;       /* NULL: of itself clear */
   const char *help;
 };
+/* Ids of those that every verb takes. */
+#define UM_APP_COMMON "json threads help"
 /* By id; NULL when there is none. */
 const struct um_app_option *um_app_option_find(const char *id);
 /* In order of the table; NULL behind the last. */
@@ -173,11 +175,12 @@ struct um_app_verb {
   const char *name;
   const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
   const char *summary;
-  const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
-  const char *about;           /* what help adds; NULL: nothing */
-  const char *examples;        /* a line each */
-  const char *listed;          /* heading of a list behind the options; NULL: there is none */
-  void (*list)(FILE *file);    /* prints it */
+  const char *needs,
+      *accepts;             /* ids of the options it must have and may have, beside UM_APP_COMMON */
+  const char *about;        /* what help adds; NULL: nothing */
+  const char *examples;     /* a line each */
+  const char *listed;       /* heading of a list behind the options; NULL: there is none */
+  void (*list)(FILE *file); /* prints it */
   um_app_command *run;
   enum um_app_group group;
 };

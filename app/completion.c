@@ -1,8 +1,10 @@
 /* umbra completion: a script for bash, or for zsh by its bashcompinit, written from the tables of
  * verbs and options, and of the names that the library has. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/client.h"
+#include "base/core/json.h"
 
 /* What COMPREPLY becomes for a kind of argument; a line of the script. Names stand in variables. */
 static const char *offer(enum um_app_offers offers)
@@ -115,7 +117,7 @@ static void put_verb(FILE *file, const struct um_app_verb *verb)
   fprintf(file, "    %s) options=\"", verb->name);
   put_list(file, verb->needs);
   put_list(file, verb->accepts);
-  put_list(file, "threads help");
+  put_list(file, UM_APP_COMMON);
   fputs("\"; kinds=(", file);
   while (um_app_argument_next(&list, name, &optional))
     fprintf(file, " '%s'", offer(um_app_argument_offers(name)));
@@ -197,16 +199,34 @@ static void put_script(FILE *file, const struct names *names)
   fputs(tail, file);
 }
 
-static void print(const struct names *names, bool zsh)
+static void print(FILE *file, const struct names *names, bool zsh)
 {
-  if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", stdout);
-  printf("# Completion of umbra %s, written by: umbra completion\n", umbra_version());
-  put_script(stdout, names);
+  if (zsh) fputs("#compdef umbra\nautoload -U +X bashcompinit && bashcompinit\n", file);
+  fprintf(file, "# Completion of umbra %s, written by: umbra completion\n", umbra_version());
+  put_script(file, names);
   /* zsh loads the file when it is first wanted: that time it has to answer too */
   fputs(zsh ? "complete -o nospace -F _umbra umbra\n"
               "if (( ${+compstate} )); then _bash_complete -o nospace -F _umbra; fi\n"
             : "complete -F _umbra umbra\n",
-        stdout);
+        file);
+}
+
+/* false: no memory. */
+static bool print_json(const struct names *names, const char *shell)
+{
+  char *script = NULL;
+  size_t n;
+  FILE *file = open_memstream(&script, &n);
+  if (file == NULL) return false;
+  print(file, names, strcmp(shell, "zsh") == 0);
+  bool whole = fclose(file) == 0;
+  if (whole) {
+    um_core_json_text(stdout, "{", "shell", shell);
+    um_core_json_text(stdout, ", ", "script", script);
+    printf("}\n");
+  }
+  free(script);
+  return whole;
 }
 
 int um_app_completion(struct um_context *context, const struct um_app_options *options)
@@ -226,8 +246,10 @@ int um_app_completion(struct um_context *context, const struct um_app_options *o
   if (umbra_data_names(umbra, UMBRA_MATERIALS, &names.material, &names.nmaterial) != UMBRA_OK ||
       umbra_data_names(umbra, UMBRA_SENSORS, &names.sensor, &names.nsensor) != UMBRA_OK)
     code = um_app_session_fail(umbra);
-  else
-    print(&names, zsh);
+  else if (!options->json)
+    print(stdout, &names, zsh);
+  else if (!print_json(&names, shell))
+    code = UM_APP_FAILED;
   umbra_close(&umbra);
   return code;
 }

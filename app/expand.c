@@ -14,8 +14,7 @@ int um_app_expand(struct um_context *context, const struct um_app_options *optio
   UM_CHECK(um_output_read_cube(context, options->positional[0], &part, &image, &cut));
   UM_CHECK(um_app_cut_cost(context, options, image, &cut));
   UM_CHECK(um_output_write_exr(context, image, &cut, options->out));
-  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths\n", options->out, cut.width, cut.height,
-         image->pixel_size, cut.nbin);
+  um_app_picture_print(options, cut.width, cut.height, image->pixel_size, cut.nbin, NAN);
 done:
   um_optics_image_destroy(context, &image);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

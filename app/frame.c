@@ -135,21 +135,57 @@ static enum um_status write_fits(struct um_context *context, const struct um_app
   return status;
 }
 
+static double brightest(const struct scene *scene)
+{
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  double peak = 0.0;
+  for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
+    peak = fmax(peak, (double)scene->counts[i]);
+  return peak;
+}
+
+/* Expected counts of star i [adu]. */
+static double star_counts(const struct scene *scene, size_t i)
+{
+  const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
+  return scene->star[i].light.rate * sensor->exposure / sensor->optics.gain;
+}
+
+static void json_frame(const struct um_app_options *options, const struct scene *scene)
+{
+  const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  double gain = sensor->optics.gain;
+  um_core_json_text(stdout, "{", "file", options->out);
+  printf(", \"width\": %d, \"height\": %d", f->width, f->height);
+  um_core_json_field(stdout, ", ", "pixel_arcsec", sensor->optics.pixel);
+  um_core_json_field(stdout, ", ", "source_adu", f->source / gain);
+  um_core_json_field(stdout, ", ", "sky_adu", scene->frame.background / gain);
+  um_core_json_field(stdout, ", ", "brightest_adu", brightest(scene));
+  um_core_json_count(stdout, ", ", "saturated_pixels", scene->saturated);
+  printf(", \"stars\": [");
+  for (size_t i = 0; i < scene->nstar; i++) {
+    um_core_json_field(stdout, i > 0 ? ", {" : "{", "magnitude_ab", scene->star[i].asked[0]);
+    um_core_json_field(stdout, ", ", "star_adu", star_counts(scene, i));
+    um_core_json_field(stdout, ", ", "x_pixel", scene->marked[i].x);
+    um_core_json_field(stdout, ", ", "y_pixel", scene->marked[i].y);
+    printf("}");
+  }
+  printf("]}\n");
+}
+
 static void print_frame(const struct um_app_options *options, const struct scene *scene)
 {
   const struct um_model_sensor *sensor = &scene->model->sensor[scene->sensor];
   const struct um_instrument_frame *f = &scene->frame.frame;
-  double peak = 0.0, gain = sensor->optics.gain;
-  for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
-    peak = fmax(peak, (double)scene->counts[i]);
+  double gain = sensor->optics.gain;
   printf("%s: %d x %d pixels of %g arcsec, %.6g counts of the source, %.4g of the sky in each "
          "pixel, brightest pixel %.6g, %zu saturated\n",
          options->out, f->width, f->height, sensor->optics.pixel, f->source / gain,
-         scene->frame.background / gain, peak, scene->saturated);
+         scene->frame.background / gain, brightest(scene), scene->saturated);
   for (size_t i = 0; i < scene->nstar; i++)
     printf("star of %g mag: %.6g counts at pixel %.2f,%.2f\n", scene->star[i].asked[0],
-           scene->star[i].light.rate * sensor->exposure / gain, scene->marked[i].x,
-           scene->marked[i].y);
+           star_counts(scene, i), scene->marked[i].x, scene->marked[i].y);
 }
 
 /* FILE.fits is drawn as FILE.png; the caller frees. */
@@ -221,7 +257,10 @@ static enum um_status frame(struct um_context *context, const struct um_app_opti
   read_out(&scene, seed);
   UM_CHECK(write_fits(context, options, &scene));
   UM_CHECK(draw(context, options, &scene));
-  print_frame(options, &scene);
+  if (options->json)
+    json_frame(options, &scene);
+  else
+    print_frame(options, &scene);
 done:
   UM_FREE(context, scene.counts, scene.star, scene.marked);
   um_model_frame_clear(context, &scene.frame);

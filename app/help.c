@@ -175,7 +175,7 @@ void um_app_help_verb(FILE *file, const struct um_app_verb *verb)
   fputs("\nOptions:\n", file);
   help_options(file, verb->needs, true);
   help_options(file, verb->accepts, false);
-  help_options(file, "threads help", false);
+  help_options(file, UM_APP_COMMON, false);
   if (verb->list != NULL) {
     fprintf(file, "\n%s:\n", verb->listed);
     verb->list(file);
@@ -253,7 +253,12 @@ int um_app_help_command(struct um_context *context, const struct um_app_options 
   const struct um_app_verb *verb = um_app_verb_find(old != NULL ? old->verb : name);
   char unknown[UM_APP_UNKNOWN];
   (void)context;
-  if (verb != NULL) {
+  if (options->json && (verb != NULL || name[0] == '\0')) {
+    if (!um_app_help_json(stdout, verb)) {
+      fputs("umbra: out of memory\n", stderr);
+      return UM_APP_FAILED;
+    }
+  } else if (verb != NULL) {
     um_app_help_verb(stdout, verb);
   } else if (name[0] == '\0') {
     um_app_help(stdout);

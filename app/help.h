@@ -24,6 +24,10 @@ const char *um_app_group_name(enum um_app_group group);
 /* A step of the usual way: a command and what it does. false behind the last. */
 bool um_app_path_at(size_t index, const char **command, const char **does);
 
+/* As JSON: the commands, or a verb with the schema of what it prints. false: no memory. Errors of
+ * writing are the stream's. */
+bool um_app_help_json(FILE *file, const struct um_app_verb *verb);
+
 /* Man pages in roff: umbra.1, and a verb's own with the content of its help. */
 void um_app_manual(FILE *file);
 void um_app_manual_verb(FILE *file, const struct um_app_verb *verb);

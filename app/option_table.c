@@ -278,7 +278,7 @@ static const struct um_app_option table[] = {
     {"angle", "angle", "DEG", .takes = UM_APP_TEXT, AT(angle), .default_value = "30",
      .example = "--angle 10", .help = "Angle of incidence of --from-reflectance."},
     {"json", "json", .takes = UM_APP_FLAG, AT(json),
-     .help = "Print JSON, for another program to read."},
+     .help = "Print JSON, for another program to read. umbra help COMMAND --json has its schema."},
     {"thermal", "thermal", .takes = UM_APP_FLAG, AT(thermal), .help = "Only the cases of heat."},
     {"optics", "optics", .takes = UM_APP_FLAG, AT(optics), .help = "Only the cases of light."},
     {"threads", "threads", "N", .takes = UM_APP_THREADS, .most = 4096,

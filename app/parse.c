@@ -56,7 +56,7 @@ static void grammar_make(struct grammar *g, const struct um_app_verb *verb)
   *g = (struct grammar){.letters = "+:"};
   grammar_add(g, verb->needs);
   grammar_add(g, verb->accepts);
-  grammar_add(g, "threads help");
+  grammar_add(g, UM_APP_COMMON);
 }
 
 static const struct um_app_option *grammar_find(const struct grammar *g, int id)

@@ -39,9 +39,10 @@ static void print_report(const struct um_compare_period_report *r, const char *f
   printf("results in %s\n", folder);
 }
 
-static void print_json(const struct um_compare_period_report *r)
+static void print_json(const struct um_compare_period_report *r, const char *folder)
 {
-  printf("[");
+  um_core_json_text(stdout, "{", "folder", folder);
+  printf(",\n  \"channels\": [");
   for (size_t i = 0; i < r->count; i++) {
     const struct um_compare_channel *of = &r->measurements->channel[r->entry[i].channel];
     const struct um_compare_period *p = r->entry[i].period;
@@ -60,7 +61,7 @@ static void print_json(const struct um_compare_period_report *r)
     um_core_json_field(stdout, ", ", "false_alarm", p->false_alarm);
     printf(", \"maximum_utc\": \"%s\"}", epoch);
   }
-  printf("]\n");
+  printf("]}\n");
 }
 
 int um_app_period(struct um_context *context, const struct um_app_options *options)
@@ -78,7 +79,7 @@ int um_app_period(struct um_context *context, const struct um_app_options *optio
   UM_CHECK(um_core_folder_commit(context, &folder));
   um_app_terminal_clear();
   if (options->json)
-    print_json(report);
+    print_json(report, out);
   else
     print_report(report, out);
 done:

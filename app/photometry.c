@@ -62,6 +62,24 @@ static void print_row(const char *path, const struct um_compare_photometry *p)
   putchar('\n');
 }
 
+static void json_row(const char *path, const struct um_compare_photometry *p)
+{
+  char time[32];
+  um_orbit_time_format(p->t_tai, time);
+  um_core_json_text(stdout, "{", "frame", path);
+  um_core_json_text(stdout, ", ", "time_utc", time);
+  um_core_json_text(stdout, ", ", "sensor", p->sensor);
+  um_core_json_field(stdout, ", ", "exposure_s", p->exposure);
+  um_core_json_field(stdout, ", ", "airmass", p->airmass);
+  um_core_json_field(stdout, ", ", "count_rate_1_s", p->rate);
+  um_core_json_field(stdout, ", ", "sigma_1_s", p->sigma);
+  um_core_json_field(stdout, ", ", "sky_adu", p->sum.sky);
+  um_core_json_field(stdout, ", ", "signal_to_noise", p->sum.snr);
+  um_core_json_count(stdout, ", ", "ring_pixels", p->sum.annulus);
+  um_core_json_count(stdout, ", ", "saturated_pixels", p->sum.saturated);
+  printf("}");
+}
+
 static void print_head(void)
 {
   printf("%-24s %25s %10s %9s %6s\n", "UTC", "counts per second", "sky [adu]", "SNR", "ring");
@@ -72,6 +90,25 @@ static size_t frames(const struct um_app_options *options) { return 1 + options-
 static const char *frame_at(const struct um_app_options *options, size_t i)
 {
   return i == 0 ? options->positional[0] : options->more[i - 1];
+}
+
+/* Of n objects, `each` of them in every frame. */
+static void print_rows(const struct um_app_options *options, const struct um_compare_photometry *p,
+                       size_t n, size_t each)
+{
+  if (!options->json) {
+    print_head();
+    for (size_t i = 0; i < n; i++) print_row(frame_at(options, i / each), &p[i]);
+    printf("%s: %zu rows\n", options->out, n);
+    return;
+  }
+  um_core_json_text(stdout, "{", "file", options->out);
+  printf(",\n  \"rows\": [");
+  for (size_t i = 0; i < n; i++) {
+    fputs(i > 0 ? ",\n    " : "\n    ", stdout);
+    json_row(frame_at(options, i / each), &p[i]);
+  }
+  printf("]}\n");
 }
 
 /* The object in every frame, as a measurement file. */
@@ -90,8 +127,7 @@ static enum um_status measure_object(struct um_context *context,
   }
   UM_CHECK(um_compare_photometry_set(context, p, n, options->out, &set));
   UM_CHECK(um_compare_measurements_write(context, set, options->out));
-  print_head();
-  for (size_t i = 0; i < n; i++) print_row(frame_at(options, i), &p[i]);
+  print_rows(options, p, n, 1);
 done:
   um_core_free(context, p);
   um_compare_measurements_destroy(context, &set);
@@ -158,8 +194,7 @@ static enum um_status measure_stars(struct um_context *context,
     UM_CHECK(measure_star(context, frame_at(options, i / stars.n), stars.asked[i % stars.n],
                           aperture, &stars.of[i]));
   UM_CHECK(write_stars(context, options, &stars));
-  print_head();
-  for (size_t i = 0; i < n; i++) print_row(frame_at(options, i / stars.n), &stars.of[i]);
+  print_rows(options, stars.of, n, stars.n);
 done:
   UM_FREE(context, stars.asked, stars.of);
   return status;
@@ -173,8 +208,6 @@ int um_app_photometry(struct um_context *context, const struct um_app_options *o
   UM_CHECK(um_app_check_table(context, options));
   UM_CHECK(options->nstar > 0 ? measure_stars(context, options, &aperture)
                               : measure_object(context, options, &aperture));
-  printf("%s: %zu rows\n", options->out,
-         frames(options) * (options->nstar > 0 ? options->nstar : 1));
 done:
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);
 }

@@ -182,23 +182,43 @@ static double exr_file(double covered, size_t nbin)
   return CHANNEL_BYTES * covered * (double)(nbin + PREVIEW);
 }
 
-/* " memory up to 12 MB,", " file up to 3.4 GB," */
-static void put_bytes(const char *what, double bytes)
+void um_app_picture_print(const struct um_app_options *options, int width, int height,
+                          double pixel_m, size_t nbin, double mean)
 {
-  if (bytes < 1e9)
-    printf(" %s up to %.0f MB,", what, fmax(bytes * 1e-6, 1.0));
-  else
-    printf(" %s up to %.3g GB,", what, bytes * 1e-9);
+  if (options->json) {
+    um_core_json_text(stdout, "{", "file", options->out);
+    printf(", \"width\": %d, \"height\": %d", width, height);
+    um_core_json_field(stdout, ", ", "pixel_m", pixel_m);
+    um_core_json_count(stdout, ", ", "wavelengths", nbin);
+    um_core_json_field(stdout, ", ", "mean_radiance_W_m2_sr", mean);
+    printf("}\n");
+    return;
+  }
+  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths", options->out, width, height, pixel_m,
+         nbin);
+  if (!isnan(mean)) printf(", mean radiance %.6g W/m2/sr", mean);
+  printf("\n");
 }
 
-static void print_cost(int width, int height, size_t nbin, double memory, double file,
+/* " memory up to 12 MB,", " file up to 3.4 GB," */
+static void put_bytes(FILE *file, const char *what, double bytes)
+{
+  if (bytes < 1e9)
+    fprintf(file, " %s up to %.0f MB,", what, fmax(bytes * 1e-6, 1.0));
+  else
+    fprintf(file, " %s up to %.3g GB,", what, bytes * 1e-9);
+}
+
+/* Beside JSON the words go to standard error. */
+static void print_cost(bool json, int width, int height, size_t nbin, double memory, double file,
                        double seconds)
 {
-  printf("%d x %d pixels, %zu wavelengths:", width, height, nbin);
-  put_bytes("memory", memory);
-  put_bytes("file", file);
-  printf(" about %.0f s\n", fmax(seconds, 1.0));
-  fflush(stdout);
+  FILE *words = json ? stderr : stdout;
+  fprintf(words, "%d x %d pixels, %zu wavelengths:", width, height, nbin);
+  put_bytes(words, "memory", memory);
+  put_bytes(words, "file", file);
+  fprintf(words, " about %.0f s\n", fmax(seconds, 1.0));
+  fflush(words);
 }
 
 enum um_status um_app_picture_cost(struct um_context *context, const struct um_app_options *options,
@@ -234,7 +254,7 @@ enum um_status um_app_picture_cost(struct um_context *context, const struct um_a
   double file = cube ? cost->bytes : exr_file(pixels, nbin);
   double memory = cost->bytes + (cube ? file : exr_bytes(context, width, nbin));
   double rate = cube ? CUBE_RATE : EXR_RATE * um_core_context_threads(context);
-  print_cost(width, height, nbin, memory, file, cost->seconds + file / rate);
+  print_cost(options->json, width, height, nbin, memory, file, cost->seconds + file / rate);
   if (!(memory <= UM_OPTICS_IMAGE_BYTES))
     return um_core_fail(context, UM_ERR_INPUT,
                         "--width %d: %d x %d pixels at %d wavelengths take %.3g GB; accepted: up "
@@ -258,7 +278,7 @@ enum um_status um_app_cut_cost(struct um_context *context, const struct um_app_o
   double file = exr_file(covered, cut->nbin);
   double memory = exr_bytes(context, cut->width, cut->nbin) +
                   CHANNEL_BYTES * 4.0 * (double)image->nspectrum * (double)image->nbin;
-  print_cost(cut->width, cut->height, cut->nbin, memory, file,
+  print_cost(options->json, cut->width, cut->height, cut->nbin, memory, file,
              file / (EXR_RATE * um_core_context_threads(context)));
   return check_file(context, options, file);
 }

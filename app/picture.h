@@ -35,5 +35,8 @@ enum um_status um_app_picture_cost(struct um_context *context, const struct um_a
 enum um_status um_app_cut_cost(struct um_context *context, const struct um_app_options *options,
                                const struct um_optics_image *image,
                                const struct um_output_cut *cut);
+/* What was written; mean: of the band's radiance [W/m2/sr], NAN where it is not known. */
+void um_app_picture_print(const struct um_app_options *options, int width, int height,
+                          double pixel_m, size_t nbin, double mean);
 
 #endif

@@ -87,8 +87,7 @@ static enum um_status render(struct um_context *context, const struct um_app_opt
                             width_of(options), samples_of(options), &image));
   UM_CHECK(write_picture(context, options, model, image, band));
   UM_CHECK(mean_radiance(context, image, &mean));
-  printf("%s: %d x %d pixels of %.4g m, %zu wavelengths, mean radiance %.6g W/m2/sr\n",
-         options->out, image->width, image->height, image->pixel_size, image->nbin, mean);
+  um_app_picture_print(options, image->width, image->height, image->pixel_size, image->nbin, mean);
 done:
   um_optics_image_destroy(context, &image);
   um_model_result_destroy(context, &result);

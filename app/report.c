@@ -37,7 +37,13 @@ int um_app_report(struct um_context *context, const struct um_app_options *optio
   UM_CHECK(um_core_whole_begin(context, options->out, &whole));
   status = um_page_write_beside(context, n, (const char *const *)path, name, whole.file);
   UM_CHECK(um_core_whole_end(context, &whole, status));
-  printf("to look at: %s\n", options->out);
+  if (options->json) {
+    um_core_json_text(stdout, "{", "file", options->out);
+    um_core_json_count(stdout, ", ", "pages", n);
+    printf("}\n");
+  } else {
+    printf("to look at: %s\n", options->out);
+  }
 done:
   for (size_t i = 0; i < PAGES; i++) um_core_free(context, path[i]);
   return status == UM_OK ? UM_APP_DONE : um_app_fail(context);

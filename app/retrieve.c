@@ -23,6 +23,37 @@ static void print_row(const struct um_compare_retrieved_row *row)
   printf("%-24s%6zu%24s%30s\n", time, row->nband, temperature, area);
 }
 
+static void json_bodies(const char *key, const struct um_instrument_grey_body *b)
+{
+  printf(", \"%s\": [", key);
+  for (size_t i = 0; i < b->n; i++) {
+    um_core_json_field(stdout, i > 0 ? ", {" : "{", "temperature_K", b->temperature[i]);
+    um_core_json_field(stdout, ", ", "temperature_sigma_K", b->temperature_sigma[i]);
+    um_core_json_field(stdout, ", ", "cross_section_m2", b->area[i]);
+    um_core_json_field(stdout, ", ", "cross_section_sigma_m2", b->area_sigma[i]);
+    printf("}");
+  }
+  printf("]");
+}
+
+static void json_summary(const struct um_compare_retrieved *retrieved, const char *folder)
+{
+  um_core_json_text(stdout, "{", "folder", folder);
+  printf(",\n  \"times\": [");
+  for (size_t k = 0; k < retrieved->count; k++) {
+    const struct um_compare_retrieved_row *row = &retrieved->row[k];
+    char time[32];
+    um_orbit_time_format(row->t_tai, time);
+    um_core_json_text(stdout, k > 0 ? ",\n    {" : "\n    {", "time_utc", time);
+    um_core_json_count(stdout, ", ", "bands", row->nband);
+    json_bodies("one", &row->one);
+    json_bodies("two", &row->two);
+    um_core_json_bool(stdout, ", ", "two_preferred", um_compare_retrieved_prefers_two(row));
+    printf("}");
+  }
+  printf("]}\n");
+}
+
 static void print_summary(const struct um_compare_retrieved *retrieved, const char *folder)
 {
   size_t fits = 0, twos = 0, better = 0;
@@ -72,7 +103,10 @@ int um_app_retrieve(struct um_context *context, const struct um_app_options *opt
   UM_CHECK(um_compare_retrieve(context, model, measurements, &retrieved));
   UM_CHECK(write_folder(context, retrieved, &folder));
   um_app_terminal_clear();
-  print_summary(retrieved, out);
+  if (options->json)
+    json_summary(retrieved, out);
+  else
+    print_summary(retrieved, out);
 done:
   um_core_folder_abort(&folder);
   um_compare_retrieved_destroy(context, &retrieved);

@@ -266,7 +266,7 @@ static enum um_status make_page(struct server *s, const struct um_app_options *o
 }
 
 /* Serve until a signal comes. */
-static enum um_status serve(struct server *s, int port)
+static enum um_status serve(struct server *s, int port, bool json)
 {
   struct sockaddr_in address = {.sin_family = AF_INET,
                                 .sin_port = htons((uint16_t)port),
@@ -284,7 +284,9 @@ static enum um_status serve(struct server *s, int port)
   snprintf(s->host[0], sizeof s->host[0], "127.0.0.1:%u", bound);
   snprintf(s->host[1], sizeof s->host[1], "localhost:%u", bound);
   um_app_terminal_clear();
-  printf("open http://%s/?token=%s\nCtrl-C ends it\n", s->host[0], s->token);
+  printf(json ? "{\"address\": \"http://%s/?token=%s\"}\n"
+              : "open http://%s/?token=%s\nCtrl-C ends it\n",
+         s->host[0], s->token);
   fflush(stdout);
   while (!um_core_stopped(s->context))
     (void)nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
@@ -301,7 +303,7 @@ int um_app_serve(struct um_context *context, const struct um_app_options *option
   if (!make_token(s.token))
     UM_CHECK(um_core_fail(context, UM_ERR_LIBRARY, "no random numbers for a token"));
   UM_CHECK(make_page(&s, options));
-  UM_CHECK(serve(&s, options->port));
+  UM_CHECK(serve(&s, options->port, options->json));
 done:
   free(s.page);
   um_app_sensitivity_release(context, &s.work);

@@ -29,6 +29,30 @@ static void print_result(const struct um_study_result *r, const char *folder)
   printf("results in %s\n", folder);
 }
 
+static void json_result(const struct um_study_result *r, const char *folder)
+{
+  size_t failed = 0;
+  for (size_t i = 0; i < r->npoint; i++) failed += r->reason[i] != NULL ? 1 : 0;
+  um_core_json_text(stdout, "{", "name", r->name);
+  um_core_json_text(stdout, ", ", "folder", folder);
+  um_core_json_text(stdout, ", ", "scenario", r->scenario);
+  um_core_json_count(stdout, ", ", "points", r->npoint);
+  um_core_json_count(stdout, ", ", "solved", r->exact);
+  um_core_json_count(stdout, ", ", "failed", failed);
+  um_core_json_text(stdout, ", ", "falls_short", r->falls_short);
+  printf(",\n  \"quantities\": [");
+  for (size_t q = 0; q < r->nquantity; q++) {
+    const struct um_study_quantity *of = &r->quantity[q];
+    um_core_json_text(stdout, q > 0 ? ",\n    {" : "\n    {", "name", of->name);
+    um_core_json_text(stdout, ", ", "unit", of->unit);
+    um_core_json_field(stdout, ", ", "largest_error", r->error[q]);
+    um_core_json_field(stdout, ", ", "asked_error", of->asked);
+    um_core_json_bool(stdout, ", ", "of_solved_points_alone", of->withheld);
+    printf("}");
+  }
+  printf("]}\n");
+}
+
 int um_app_study(struct um_context *context, const struct um_app_options *options)
 {
   enum um_status status;
@@ -51,7 +75,7 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   UM_CHECK(um_app_batch_options(context, options, &run.batch));
   UM_CHECK(um_study_create(context, path, &run, &study));
   if (options->study_check) {
-    status = um_study_print_check(context, study, stdout);
+    status = um_study_print_check(context, study, options->json, stdout);
     goto done;
   }
   UM_CHECK(um_study_run(context, study, &result));
@@ -60,7 +84,7 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
   const struct um_study_folder how = {.measured = um_study_measurements(study),
                                       .force = options->force,
                                       .pictures = true,
-                                      .words = stdout};
+                                      .words = options->json ? NULL : stdout};
   status = um_study_folder_write(context, result, &how, folder);
   if (status != UM_OK) {
     um_core_log(context, UM_LOG_WARNING, "all points stay on record in %s: --resume takes them",
@@ -68,7 +92,10 @@ int um_app_study(struct um_context *context, const struct um_app_options *option
     goto done;
   }
   if (code == UM_APP_DONE) um_study_records_remove(context, records);
-  print_result(result, folder);
+  if (options->json)
+    json_result(result, folder);
+  else
+    print_result(result, folder);
 done:
   um_study_result_destroy(context, &result);
   um_study_destroy(context, &study);

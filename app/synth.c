@@ -50,6 +50,21 @@ static int read_options(const struct um_app_options *options, struct um_compare_
   return UM_APP_DONE;
 }
 
+static void json_set(const struct um_compare_measurements *m, const char *out)
+{
+  um_core_json_text(stdout, "{", "file", out);
+  um_core_json_count(stdout, ", ", "rows", m->count);
+  printf(", \"channels\": [");
+  for (size_t i = 0; i < m->nchannel; i++) {
+    um_core_json_text(stdout, i > 0 ? ", {" : "{", "quantity",
+                      um_compare_quantity_name(m->channel[i].quantity));
+    um_core_json_text(stdout, ", ", "of", m->channel[i].of);
+    um_core_json_count(stdout, ", ", "rows", m->channel[i].count);
+    printf("}");
+  }
+  printf("]}\n");
+}
+
 static void print_set(const struct um_compare_measurements *m, const char *out)
 {
   printf("%s: %zu observations", out, m->count);
@@ -80,7 +95,10 @@ int um_app_synth(struct um_context *context, const struct um_app_options *option
       um_compare_synth_run(context, options->positional[0], &changes, &o, options->out, &made));
   UM_CHECK(um_compare_measurements_write(context, made, options->out));
   um_app_terminal_clear();
-  print_set(made, options->out);
+  if (options->json)
+    json_set(made, options->out);
+  else
+    print_set(made, options->out);
 done:
   um_compare_measurements_destroy(context, &made);
   UM_FREE(context, (void *)place, list);

@@ -5,11 +5,11 @@
 #include "base/core/suggestions.h"
 
 #define CHANGES "set with without effect-file allow-effects"
-#define RESULTS "force no-plots json"
+#define RESULTS "force no-plots"
 
 static const struct um_app_verb verbs[] = {
     {"new", "NAME", "a folder with a commented scenario to begin with",
-     .accepts = "from-mesh tle one-station json",
+     .accepts = "from-mesh tle one-station",
      .about = "A 3U CubeSat that leaves the Earth's shadow over a telescope, ready to run; with "
               "--from the parts are those of a mesh, with --tle the orbit is that of a satellite. "
               "NAME must not exist. docs/obj.md says how meshes are read.",
@@ -25,7 +25,7 @@ static const struct um_app_verb verbs[] = {
                  "umbra run scenarios/envisat-graz-2016 --without albedo --out out/dark-earth\n",
      .run = um_app_run, .group = UM_APP_SIMULATE},
     {"check", "SCENARIO", "read a scenario and report what was understood",
-     .accepts = CHANGES " view out force json",
+     .accepts = CHANGES " view out force",
      .about =
          "Parts, areas, watertightness, materials and nodes; nothing is solved. --view writes a "
          "page that shows the satellite.",
@@ -38,7 +38,7 @@ static const struct um_app_verb verbs[] = {
               "picture. Exit status 4 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases, .group = UM_APP_SIMULATE},
     {"export", "SCENARIO", "meshes, orbits, couplings of a scenario for other programs",
-     .needs = "as", .accepts = "target " CHANGES " force json",
+     .needs = "as", .accepts = "target " CHANGES " force",
      .about = "The environment variable UMBRA_CACHE names a folder where view factors are kept "
               "between runs.",
      .examples =
@@ -170,8 +170,8 @@ static const struct um_app_verb verbs[] = {
                  "umbra map scenarios/envisat-graz-2016 measured.csv --step 1\n",
      .run = um_app_map, .group = UM_APP_COMPARE},
     {"attitude", "SCENARIO MEASURED", "spins that agree with measured light, every solution",
-     .accepts = "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES
-                " force json",
+     .accepts =
+         "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES " force",
      .about =
          "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh with "
          "its sense, period_s and phase_deg are sought over all directions, by look-up on a "
@@ -209,7 +209,7 @@ static const struct um_app_verb verbs[] = {
      .needs = "file",
      .accepts = "column-time column-magnitude column-flux column-counts column-temperature "
                 "column-band column-of column-system column-unit column-sigma column-flag "
-                "column-exposure column-track like format track-noise force json",
+                "column-exposure column-track like format track-noise force",
      .about = "TABLE has a header of any names, and fields parted by commas, semicolons, tabs or "
               "blanks; options say which column is what, and the file written remembers them for "
               "--like. Without options, a guess of them is printed. Tracks of Mini-MegaTORTORA are "
@@ -221,7 +221,7 @@ static const struct um_app_verb verbs[] = {
                  "umbra import track.txt -o measured.csv --noise 0.02\n",
      .run = um_app_import, .group = UM_APP_OBSERVE},
     {"list", "WHAT [ITEM]", "materials, filters, sensors, effects, keys or scenarios",
-     .accepts = "effect-file json",
+     .accepts = "effect-file",
      .about = "What comes with the program, or with effects of your own. With ITEM the "
               "page of one. Of keys ITEM is a path as --set takes it, without names and numbers of "
               "elements or with; --json gives the JSON Schema.",
@@ -231,7 +231,7 @@ static const struct um_app_verb verbs[] = {
                  "umbra list keys parts.shell\n",
      .run = um_app_list, .group = UM_APP_LOOK_UP},
     {"material", "[MATERIAL]", "a material from measured reflectance or roughness",
-     .accepts = "from-brdf half-angle from-profile from-reflectance reference angle json",
+     .accepts = "from-brdf half-angle from-profile from-reflectance reference angle",
      .about = "With --from-brdf a fit of measured BRDFs, by kind of lobe, with its error; with "
               "--from-profile the roughness of measured heights; with --from-reflectance a new "
               "record, called MATERIAL, to be written to a file.",
@@ -240,7 +240,7 @@ static const struct um_app_verb verbs[] = {
                  "--from-profile heights.csv > panel.yaml\n",
      .run = um_app_material, .group = UM_APP_LOOK_UP},
     {"validate", "", "analytic and published cases, expected and computed",
-     .accepts = "thermal optics json", .about = "Exit status 4 where a case misses its tolerance.",
+     .accepts = "thermal optics", .about = "Exit status 4 where a case misses its tolerance.",
      .examples = "umbra validate --thermal\n", .run = um_app_validate, .group = UM_APP_LOOK_UP},
     {"completion", "SHELL", "completion of commands, options and names for bash or zsh",
      .examples = "umbra completion bash > ~/.local/share/bash-completion/completions/umbra\n"

@@ -30,9 +30,10 @@ void um_study_destroy(struct um_context *context, struct um_study **study);
 /* Path of the measurements that points are held against; NULL: none. */
 const char *um_study_measurements(const struct um_study *study);
 
-/* What is known before it runs, as text for people: how many points, what each parameter wants
- * computed anew, how long and how much disk. One point is computed for that. */
-enum um_status um_study_print_check(struct um_context *context, struct um_study *study, FILE *file);
+/* What is known before it runs, as text for people or as JSON: how many points, what each parameter
+ * wants computed anew, how long and how much disk. One point is computed for that. */
+enum um_status um_study_print_check(struct um_context *context, struct um_study *study, bool json,
+                                    FILE *file);
 
 /* All points, once. *out NULL: this process served another (um_batch_serve), or had a share of a
  * job array, which writes no results. A surrogate that is not accurate enough at its limit of

@@ -34,6 +34,11 @@ void um_core_json_field(FILE *file, const char *before, const char *key, double 
   um_core_json_number(file, value);
 }
 
+void um_core_json_count(FILE *file, const char *before, const char *key, size_t count)
+{
+  fprintf(file, "%s\"%s\": %zu", before, key, count);
+}
+
 void um_core_json_text(FILE *file, const char *before, const char *key, const char *text)
 {
   fprintf(file, "%s\"%s\": ", before, key);

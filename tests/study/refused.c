@@ -101,7 +101,7 @@ static void test_former_name(void **state)
   assert_null(strstr(warning + 1, "emittance_factor is now called factor"));
   FILE *file = tmpfile();
   assert_non_null(file);
-  assert_int_equal(um_study_print_check(context, study, file), UM_OK);
+  assert_int_equal(um_study_print_check(context, study, false, file), UM_OK);
   rewind(file);
   text[fread(text, 1, sizeof text - 1, file)] = '\0';
   fclose(file);

@@ -40,15 +40,39 @@ def block(text, kind="text"):
     return f"```{kind}\n{text.rstrip()}\n```\n"
 
 
+def json_values(schema, at=""):
+    """Path, types and meaning of every value that a schema describes."""
+    if "description" in schema:
+        types = schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
+        yield at, " or ".join(types), schema["description"]
+    for name, inside in schema.get("properties", {}).items():
+        path = f"{at}.{name}" if at else name
+        yield from json_values(inside, path if name in schema["required"] else path + "?")
+    if "items" in schema:
+        yield from json_values(schema["items"], f"{at}[]")
+    if isinstance(schema.get("additionalProperties"), dict):
+        yield from json_values(schema["additionalProperties"], f"{at}.*")
+
+
+def json_tables(program, folder, name):
+    """What a command prints with --json, as tables; its JSON Schema stands beside the page."""
+    schema = json.loads(program.ask("help", name, "--json"))["answer"]
+    put(folder, f"reference/commands/{name}.schema.json", json.dumps(schema, indent=1) + "\n")
+    text = (f"\n## With `--json`\n\nAs [JSON Schema]({name}.schema.json). `[]` is a list, `*` a name, `?` is not always "
+            "there.\n")
+    for answer in schema["anyOf"]:
+        text += f"\n{answer['title']}:\n" if "title" in answer else ""
+        text += "\n| key | type | |\n|---|---|---|\n"
+        text += "".join(f"| `{path}` | {types} | {what} |\n" for path, types, what in json_values(answer))
+    return text
+
+
 def commands(program, folder):
-    """A page a command, with its help, in the order of the program."""
-    listed = program.ask("help").split(":\n", 2)[-1]  # behind the title and the usual way
-    names = list(dict.fromkeys(re.findall(r"^  umbra ([a-z]+)  ", listed, re.M)))
-    if not names:
-        raise SystemExit("umbra help names no command as 'umbra NAME'")
+    """A page a command, with its help and what it prints with --json, in the order of the program."""
     pages = []
-    for name in names:
-        text = f"# umbra {name}\n\n" + block(program.ask("help", name))
+    for command in json.loads(program.ask("help", "--json"))["commands"]:
+        name = command["name"]
+        text = f"# umbra {name}\n\n" + block(program.ask("help", name)) + json_tables(program, folder, name)
         pages.append({name: put(folder, f"reference/commands/{name}.md", text)})
     index = "# Commands\n\nWhat `umbra help` prints. `umbra help COMMAND` prints the page of one.\n\n"
     put(folder, "reference/commands/README.md", index + block(program.ask("help")))

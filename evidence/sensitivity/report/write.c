@@ -194,7 +194,7 @@ void um_sensitivity_report_write_json(const struct um_sensitivity_report *r, FIL
 {
   const struct um_sensitivity_matrix *m = r->matrix;
   um_core_json_text(file, "{\n  ", "scenario", m->forward->model->scenario->name);
-  um_core_json_text(file, ",\n  ", "umbra", r->version);
+  um_core_json_text(file, ",\n  ", "version", r->version);
   um_core_json_text(file, ",\n  ", "command", r->command);
   um_core_json_field(file, ",\n  ", "instants", (double)m->ntime);
   um_core_json_field(file, ",\n  ", "seconds", m->seconds);
