@@ -14,7 +14,7 @@
 #define FILE_MOST     68719476736.0 /* of an OpenEXR file, 64 GiB */
 #define ROOM_LEFT     0.95          /* of the disk's free space that a file may take */
 #define PREVIEW       3             /* channels beside the spectral ones */
-#define EXR_RATE      30e6 /* bytes of channels that a thread expands and compresses [1/s] */
+#define EXR_RATE      40e6 /* bytes of channels that a thread expands and compresses [1/s] */
 #define CUBE_RATE     40e6 /* bytes of factors that are compressed [1/s] */
 #define CHANNEL_BYTES 4.0
 #define COPIES        3.0  /* of a line: expanded, packed, compressed */
