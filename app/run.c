@@ -48,8 +48,9 @@ static void print_heat(const struct um_model_tables *tables, const struct um_mod
   const struct um_thermal_heat *a = &r->audit;
   printf("energy audit");
   if (!isnan(tables->period)) printf(" over %.2f orbits", orbits_of(tables));
-  printf(": in %.6g J, out %.6g J, stored %.6g J, error %.1e of the turnover (limit 1e-6)\n",
-         a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error);
+  printf(": in %.6g J, out %.6g J, stored %.6g J, error %.1e of the turnover (limit %.0e)\n",
+         a->solar + a->albedo + a->planet + a->internal, -a->radiated, a->stored, r->audit_error,
+         r->audit_limit);
 }
 
 static void json_heat(const struct um_model_result *r)

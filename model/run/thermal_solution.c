@@ -86,6 +86,7 @@ static enum um_status follow(struct um_context *context, struct um_model_thermal
                             &heat->solver.options, heat->start, from, times,
                             ninstant + (run->before ? 1 : 0), &run->history));
   if (on) um_thermal_history_audit_join(run->history, &heat->orbit);
+  UM_CHECK(um_thermal_history_audit_check(context, run->history, &heat->solver.options));
 done:
   um_core_free(context, times);
   return status;

@@ -11,6 +11,10 @@
 #include "thermal/solver/integrator_group.h"
 
 #define CLOSED 1e-6 /* of its content: the least turnover, of a satellite that is closed */
+/* the audit's limit, and the tolerances up to which it holds: those of 0.1 K (tolerances.c) */
+#define AUDIT_LIMIT    1e-6
+#define AUDIT_RELATIVE 1e-5
+#define AUDIT_ABSOLUTE 1e-3 /* [K] */
 
 void um_thermal_solve_defaults(struct um_thermal_solve_options *options)
 {
@@ -79,6 +83,25 @@ static double error_of(const struct um_thermal_heat *h, double content)
   }
   gross = fmax(gross, CLOSED * content);
   return gross > 0.0 ? fabs(net - h->stored) / gross : 0.0;
+}
+
+double um_thermal_audit_limit(const struct um_thermal_solve_options *options)
+{
+  if (options->tolerance_factor > 1.0) return INFINITY;
+  return AUDIT_LIMIT * fmax(1.0, fmax(options->relative_tolerance / AUDIT_RELATIVE,
+                                      options->absolute_tolerance / AUDIT_ABSOLUTE));
+}
+
+enum um_status um_thermal_history_audit_check(struct um_context *context,
+                                              const struct um_thermal_history *history,
+                                              const struct um_thermal_solve_options *options)
+{
+  double limit = um_thermal_audit_limit(options);
+  if (!(history->audit_error > limit)) return UM_OK;
+  return um_core_fail(context, UM_ERR_NUMERIC,
+                      "energy audit: %.1e of the heat that is turned over is not accounted for; "
+                      "accepted: at most %.1e; a smaller thermal.accuracy_K makes it less",
+                      history->audit_error, limit);
 }
 
 void um_thermal_history_audit_join(struct um_thermal_history *history,
