@@ -37,6 +37,7 @@ enum um_app_exit {
 };
 
 /* Options that verbs have in common, as parsed; texts borrowed from argv. */
+struct um_app_option;
 struct um_app_options {
   const char *positional[4];
   int npositional;
@@ -100,6 +101,10 @@ struct um_app_options {
   const char *as;                            /* of export: --as */
   const char *from_mesh, *tle, *one_station; /* of new: --from, --tle, --station */
   char *command;                             /* the command as typed */
+  const char *replay;                        /* --replay FILE */
+  /* [argc] what every argument is part of, NULL: of no option; where "--" stands, 0: nowhere */
+  const struct um_app_option **token;
+  int literal;
 };
 
 /* What an option takes and where it goes. */
@@ -118,6 +123,7 @@ enum um_app_offers {
   UM_APP_FILES,
   UM_APP_FOLDERS,
   UM_APP_RESULTS, /* folders of results */
+  UM_APP_REPLAYS, /* the same, or *.json */
   UM_APP_SCENARIOS,
   UM_APP_STUDIES,
   UM_APP_VIEWS,  /* a scenario, or a factored picture */
@@ -173,14 +179,18 @@ struct um_app_verb {
   const char *name;
   const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
   const char *summary;
-  const char *needs, *accepts; /* ids of the options it must have and may have, beside --threads */
-  const char *about;           /* what help adds; NULL: nothing */
-  const char *examples;        /* a line each */
-  const char *listed;          /* heading of a list behind the options; NULL: there is none */
-  void (*list)(FILE *file);    /* prints it */
+  const char *needs,
+      *accepts;             /* ids of the options it must have and may have, beside common ones */
+  const char *about;        /* what help adds; NULL: nothing */
+  const char *examples;     /* a line each */
+  const char *listed;       /* heading of a list behind the options; NULL: there is none */
+  void (*list)(FILE *file); /* prints it */
   um_app_command *run;
   enum um_app_group group;
+  bool unrecorded; /* it has no results that could be made again */
 };
+/* Ids of the options that it has in common with others. */
+const char *um_app_verb_common(const struct um_app_verb *verb);
 size_t um_app_verb_count(void);
 const struct um_app_verb *um_app_verb_at(size_t index);
 /* NULL when there is none. */
@@ -247,7 +257,7 @@ um_app_command um_app_new, um_app_export, um_app_run, um_app_list, um_app_scenar
     um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
     um_app_render, um_app_render_picture, um_app_frame, um_app_expand, um_app_attitude, um_app_map,
     um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity,
-    um_app_synth, um_app_report, um_app_serve, um_app_validate, um_app_schema, um_app_completion,
-    um_app_help_command;
+    um_app_synth, um_app_report, um_app_serve, um_app_replay, um_app_validate, um_app_schema,
+    um_app_completion, um_app_help_command;
 
 #endif
