@@ -240,10 +240,33 @@ static enum um_status compare_input(const struct work *w, const struct um_app_re
   return UM_OK;
 }
 
+/* A cache and data that the environment names from here are the same from elsewhere. */
+static enum um_status keep_folders(struct um_context *context)
+{
+  const char *cache = um_core_context_cache(context), *data = getenv("UMBRA_DATA");
+  char *path = NULL;
+  enum um_status status;
+  if (cache != NULL) {
+    UM_CHECK(absolute(context, cache, &path));
+    UM_CHECK(um_core_context_set_cache(context, path));
+    um_core_free(context, path);
+    path = NULL;
+  }
+  if (data != NULL && data[0] != '\0') {
+    UM_CHECK(absolute(context, data, &path));
+    UM_CHECK(um_core_context_set_data(context, path));
+  }
+  status = UM_OK;
+done:
+  um_core_free(context, path);
+  return status;
+}
+
 static enum um_status compare(const struct work *w)
 {
   const struct um_app_replay_record *r = w->record;
   const struct um_app_replay_input *input = r->inputs.items;
+  UM_TRY(keep_folders(w->context));
   if (strcmp(r->version, UM_APP_VERSION) != 0)
     um_core_log(w->context, UM_LOG_WARNING,
                 "the results are of umbra %.40s; this is " UM_APP_VERSION, r->version);

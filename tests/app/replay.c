@@ -114,6 +114,14 @@ static void test_same_again(void **state)
                  NULL);
   command_expect(0, "replay", "dash", NULL);
   command_expect_same("out", "dash--replayed", tables);
+  /* data that the environment names from here */
+  assert_int_equal(symlink(UMBRA_MATERIALS, "materials"), 0);
+  assert_int_equal(setenv("UMBRA_DATA", "..", 1), 0);
+  assert_int_equal(chdir("elsewhere"), 0);
+  command_expect(0, "replay", "../out", "-o", "data", NULL);
+  assert_int_equal(chdir(".."), 0);
+  assert_int_equal(unsetenv("UMBRA_DATA"), 0);
+  command_expect_same("out", "elsewhere/data", tables);
   /* what is replayed stays, whatever is asked */
   char *after = command_snapshot("out");
   assert_string_equal(after, before);
