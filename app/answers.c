@@ -14,7 +14,8 @@ enum kind {
   COUNT,
   TRUTH,
   GROUP_OR_NULL,
-  SCHEMA
+  SCHEMA,
+  ANY
 };
 
 struct row {
@@ -134,6 +135,8 @@ static const char *type_name(enum kind kind)
     return "\"boolean\"";
   case SCHEMA:
     return "\"object\"";
+  case ANY:
+    return "[\"object\", \"array\"]";
   case ANSWER:
   case GROUP_OR_NULL:
     break;

@@ -7,6 +7,9 @@
 #include "base/core/json.h"
 #include "model/build/model.h"
 
+/* A command line, argv[1] the verb by its name of now or of before, parsed and run; a context of
+ * its own or one in which nothing else is under way. Returns the exit status. */
+int um_app_dispatch(struct um_context *context, int argc, char **argv);
 /* Room for the options of argc arguments, of which no option comes more often; false: no memory. */
 bool um_app_options_allocate(struct um_app_options *options, int argc);
 void um_app_options_release(struct um_app_options *options);

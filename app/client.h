@@ -9,6 +9,7 @@
 #include "library/umbra.h"
 
 struct um_context;
+struct um_app_option;
 
 /* Defaults of options. UM_APP_VERSION, as "1.2.3", is the project's, defined by the build. */
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
@@ -40,6 +41,7 @@ enum um_app_exit {
 struct um_app_options {
   const char *positional[4];
   int npositional;
+  int literal;      /* where "--" stands among the arguments; 0: nowhere */
   const char *out;  /* --out, -o */
   const char **set; /* --set KEY=VALUE */
   size_t nset;
@@ -100,6 +102,8 @@ struct um_app_options {
   const char *as;                            /* of export: --as */
   const char *from_mesh, *tle, *one_station; /* of new: --from, --tle, --station */
   char *command;                             /* the command as typed */
+  const char *replay;                        /* --replay FILE */
+  const struct um_app_option **token; /* [argc] what each argument is of; NULL: of no option */
 };
 
 /* What an option takes and where it goes. */
@@ -118,6 +122,7 @@ enum um_app_offers {
   UM_APP_FILES,
   UM_APP_FOLDERS,
   UM_APP_RESULTS, /* folders of results */
+  UM_APP_REPLAYS, /* the same, or *.json */
   UM_APP_SCENARIOS,
   UM_APP_STUDIES,
   UM_APP_VIEWS,  /* a scenario, or a factored picture */
@@ -148,8 +153,6 @@ struct um_app_option {
   const char *example;       /* NULL: of itself clear */
   const char *help;
 };
-/* Ids of those that every verb takes. */
-#define UM_APP_COMMON "json threads help"
 /* By id; NULL when there is none. */
 const struct um_app_option *um_app_option_find(const char *id);
 /* In order of the table; NULL behind the last. */
@@ -176,14 +179,17 @@ struct um_app_verb {
   const char *arguments; /* "SCENARIO MEASURED"; "[NAME]" may be left out, "NAME..." be many */
   const char *summary;
   const char *needs,
-      *accepts;             /* ids of the options it must have and may have, beside UM_APP_COMMON */
+      *accepts;             /* ids of the options it must have and may have, beside common ones */
   const char *about;        /* what help adds; NULL: nothing */
   const char *examples;     /* a line each */
   const char *listed;       /* heading of a list behind the options; NULL: there is none */
   void (*list)(FILE *file); /* prints it */
   um_app_command *run;
   enum um_app_group group;
+  bool unrecorded; /* it has no results that could be made again */
 };
+/* Ids of the options that it has in common with others. */
+const char *um_app_verb_common(const struct um_app_verb *verb);
 size_t um_app_verb_count(void);
 const struct um_app_verb *um_app_verb_at(size_t index);
 /* NULL when there is none. */
@@ -250,7 +256,7 @@ um_app_command um_app_new, um_app_export, um_app_run, um_app_list, um_app_scenar
     um_app_materials_reflectance, um_app_materials_fit, um_app_materials, um_app_effects,
     um_app_render, um_app_render_picture, um_app_frame, um_app_expand, um_app_attitude, um_app_map,
     um_app_compare, um_app_period, um_app_import, um_app_diagnose, um_app_fit, um_app_sensitivity,
-    um_app_synth, um_app_report, um_app_serve, um_app_validate, um_app_schema, um_app_completion,
-    um_app_help_command;
+    um_app_synth, um_app_report, um_app_serve, um_app_replay, um_app_validate, um_app_schema,
+    um_app_completion, um_app_help_command;
 
 #endif

@@ -23,6 +23,8 @@ static const char *offer(enum um_app_offers offers)
     return "_umbra_files .yaml";
   case UM_APP_TABLES:
     return "_umbra_files .csv";
+  case UM_APP_REPLAYS:
+    return "_umbra_files .json";
   case UM_APP_EFFECTS:
     return "_umbra_words \"$effects\"";
   case UM_APP_MATERIALS:
@@ -117,7 +119,7 @@ static void put_verb(FILE *file, const struct um_app_verb *verb)
   fprintf(file, "    %s) options=\"", verb->name);
   put_list(file, verb->needs);
   put_list(file, verb->accepts);
-  put_list(file, UM_APP_COMMON);
+  put_list(file, um_app_verb_common(verb));
   fputs("\"; kinds=(", file);
   while (um_app_argument_next(&list, name, &optional))
     fprintf(file, " '%s'", offer(um_app_argument_offers(name)));
@@ -192,8 +194,9 @@ static void put_script(FILE *file, const struct names *names)
   for (size_t i = 0; i < um_app_verb_count(); i++) {
     put_values(file, um_app_verb_at(i), um_app_verb_at(i)->needs);
     put_values(file, um_app_verb_at(i), um_app_verb_at(i)->accepts);
+    put_values(file, um_app_verb_at(i), um_app_verb_common(um_app_verb_at(i)));
   }
-  fputs("    *:--threads) return ;;\n  esac\n  case \"$verb\" in\n", file);
+  fputs("  esac\n  case \"$verb\" in\n", file);
   for (size_t i = 0; i < um_app_verb_count(); i++) put_verb(file, um_app_verb_at(i));
   fputs("  esac\n", file);
   fputs(tail, file);

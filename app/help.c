@@ -115,6 +115,7 @@ void um_app_argument_text(const char *name, char out[UM_APP_HELP_TEXT])
       [UM_APP_STUDIES] = "a study.yaml; docs/files.md has its keys",
       [UM_APP_TABLES] = "CSV of measurements; docs/files.md lists its columns",
       [UM_APP_RESULTS] = "a folder of results with report.html, or such a file; up to 8",
+      [UM_APP_REPLAYS] = "a folder of results with replay.json, or such a file",
       [UM_APP_FILES] = "a file: a table of any header, a track of a survey, frames in FITS",
       [UM_APP_EFFECTS] = "name of an effect; without it all are listed",
       [UM_APP_MATERIALS] = "name of a material; without it all are listed",
@@ -175,7 +176,7 @@ void um_app_help_verb(FILE *file, const struct um_app_verb *verb)
   fputs("\nOptions:\n", file);
   help_options(file, verb->needs, true);
   help_options(file, verb->accepts, false);
-  help_options(file, UM_APP_COMMON, false);
+  help_options(file, um_app_verb_common(verb), false);
   if (verb->list != NULL) {
     fprintf(file, "\n%s:\n", verb->listed);
     verb->list(file);

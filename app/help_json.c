@@ -100,7 +100,7 @@ bool um_app_help_json(FILE *file, const struct um_app_verb *verb)
   fputs(",\n  \"options\": [", file);
   put_options(file, verb->needs, true, &between);
   put_options(file, verb->accepts, false, &between);
-  put_options(file, UM_APP_COMMON, false, &between);
+  put_options(file, um_app_verb_common(verb), false, &between);
   put_examples(file, verb);
   fputs(",\n  \"answer\": ", file);
   um_app_answer_schema(file, verb->name);

@@ -162,7 +162,7 @@ void um_app_manual_verb(FILE *file, const struct um_app_verb *verb)
   fputs(".SH OPTIONS\n", file);
   options(file, verb->needs, true);
   options(file, verb->accepts, false);
-  options(file, UM_APP_COMMON, false);
+  options(file, um_app_verb_common(verb), false);
   listed(file, verb);
   examples(file, verb->examples);
   exit_status(file);

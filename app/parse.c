@@ -56,7 +56,7 @@ static void grammar_make(struct grammar *g, const struct um_app_verb *verb)
   *g = (struct grammar){.letters = "+:"};
   grammar_add(g, verb->needs);
   grammar_add(g, verb->accepts);
-  grammar_add(g, UM_APP_COMMON);
+  grammar_add(g, um_app_verb_common(verb));
 }
 
 static const struct um_app_option *grammar_find(const struct grammar *g, int id)
@@ -244,7 +244,10 @@ int um_app_options_parse(struct um_context *context, const struct um_app_verb *v
   optind = 2;
   for (;;) {
     const char *typed = optind < argc ? argv[optind] : "";
+    int first = optind;
+    bool before = !literal;
     id = next_option(argc, argv, &g, &literal);
+    if (before && literal) o->literal = first;
     if (id == -1 && optind >= argc) break;
     if (id == -1) { /* options may follow it */
       if (o->npositional == most && takes_more(verb)) {
@@ -258,6 +261,7 @@ int um_app_options_parse(struct um_context *context, const struct um_app_verb *v
     }
     const struct um_app_option *option = grammar_find(&g, id);
     if (option == NULL) return refuse_option(verb, &g, id, typed);
+    for (int i = first; i < optind; i++) o->token[i] = option;
     if (option->takes == UM_APP_HELP) {
       um_app_help_verb(stdout, verb);
       return -1;
@@ -279,7 +283,12 @@ bool um_app_options_allocate(struct um_app_options *options, int argc)
   size_t n = sizeof list / sizeof list[0];
   const char **text = calloc((size_t)argc * n, sizeof *text);
   for (size_t i = 0; text != NULL && i < n; i++) *list[i] = text + i * (size_t)argc;
-  return text != NULL;
+  options->token = calloc((size_t)argc, sizeof *options->token);
+  return text != NULL && options->token != NULL;
 }
 
-void um_app_options_release(struct um_app_options *options) { free((void *)options->set); }
+void um_app_options_release(struct um_app_options *options)
+{
+  free((void *)options->set);
+  free((void *)options->token);
+}

@@ -48,13 +48,19 @@ enum um_status um_app_check_table(struct um_context *context, const struct um_ap
 enum um_status um_app_check_picture(struct um_context *context,
                                     const struct um_app_options *options, const char *endings)
 {
+  return um_app_check_whole(context, options->out, options->force, endings);
+}
+
+enum um_status um_app_check_whole(struct um_context *context, const char *out, bool force,
+                                  const char *endings)
+{
   struct stat st;
   char *folder = NULL;
-  const char *out = options->out, *slash = strrchr(out, '/'), *ending = um_app_ending(out);
+  const char *slash = strrchr(out, '/'), *ending = um_app_ending(out);
   if (lstat(out, &st) == 0) {
     if (!S_ISREG(st.st_mode))
       return um_core_fail(context, UM_ERR_IO, "%s: is not a file; accepted: a file name", out);
-    if (!options->force)
+    if (!force)
       return um_core_fail(context, UM_ERR_IO, "%s: exists; accepted: a new name, or --force", out);
   }
   if (ending[0] != '\0' && !um_app_ends_in(out, endings))

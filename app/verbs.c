@@ -16,7 +16,7 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra new mine\n"
                  "umbra new mine --from satellite.obj --tle satellite.tle --station "
                  "Graz,47.067,15.493,495\n",
-     .run = um_app_new, .group = UM_APP_SIMULATE},
+     .run = um_app_new, .group = UM_APP_SIMULATE, .unrecorded = true},
     {"run", "SCENARIO", "light curves and temperatures of a scenario",
      .accepts = "out " CHANGES " picture " RESULTS,
      .about = "Computes the geometry, the heat and the light of every instant and writes tables, "
@@ -194,7 +194,18 @@ static const struct um_app_verb verbs[] = {
          "at an address with a token. A slider that leaves the interval in which a straight "
          "line is good has the model computed. Ctrl-C ends it.",
      .examples = "umbra serve scenarios/hidden-effect/dawn --only emittance\n", .run = um_app_serve,
-     .group = UM_APP_EXPLORE},
+     .group = UM_APP_EXPLORE, .unrecorded = true},
+    {"replay", "RECORD", "a command again, from the record beside its results",
+     .accepts = "replayed force replayed-effects",
+     .about =
+         "Every folder of results holds replay.json: the command, the folder in which it was run "
+         "and the files that it read. --replay FILE of any command writes the same beside a single "
+         "file. Inputs that have changed or are missing are named, and a program of another "
+         "version. The results that are there stay. A record from somebody else is a command "
+         "of theirs: look at it first.",
+     .examples = "umbra replay out/cube\n"
+                 "umbra replay measured-replay.json -o measured-again.csv\n",
+     .run = um_app_replay, .group = UM_APP_EXPLORE, .unrecorded = true},
     {"synth", "SCENARIO", "measurements made from a scenario, with noise",
      .needs = "noise seed file",
      .accepts = "temperatures temperature-sigma grey-body " CHANGES " force",
@@ -245,10 +256,15 @@ static const struct um_app_verb verbs[] = {
     {"completion", "SHELL", "completion of commands, options and names for bash or zsh",
      .examples = "umbra completion bash > ~/.local/share/bash-completion/completions/umbra\n"
                  "source <(umbra completion bash)\n",
-     .run = um_app_completion, .group = UM_APP_LOOK_UP},
+     .run = um_app_completion, .group = UM_APP_LOOK_UP, .unrecorded = true},
     {"help", "[COMMAND]", "this list, or a command's options", .examples = "umbra help run\n",
-     .run = um_app_help_command, .group = UM_APP_LOOK_UP},
+     .run = um_app_help_command, .group = UM_APP_LOOK_UP, .unrecorded = true},
 };
+
+const char *um_app_verb_common(const struct um_app_verb *verb)
+{
+  return verb->unrecorded ? "json threads help" : "json threads record help";
+}
 
 size_t um_app_verb_count(void) { return sizeof verbs / sizeof verbs[0]; }
 

@@ -24,6 +24,7 @@ struct um_context {
   size_t done, total;
   int quiet; /* um_core_quiet_begin less um_core_quiet_end */
   struct um_core_snapshot *snapshot;
+  struct um_core_replay *replay;
   um_core_stop_source stop_source;
   void *stop_self;
   char *data, *cache; /* folders; NULL: none */
@@ -74,6 +75,11 @@ void um_core_context_destroy(struct um_context **context)
 struct um_core_snapshot **um_core_context_snapshot(struct um_context *context)
 {
   return &context->snapshot;
+}
+
+struct um_core_replay **um_core_context_replay(struct um_context *context)
+{
+  return &context->replay;
 }
 
 void um_core_context_set_threads(struct um_context *context, int threads)

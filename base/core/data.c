@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/core/listing.h"
+#include "base/core/replay.h"
 #include "base/core/suggestions.h"
 
 static bool is_folder(const char *path)
@@ -124,6 +125,11 @@ static enum um_status beside(struct um_context *context, const char *from, const
                           "%s/%s: no such folder; accepted: an installed tree, or UMBRA_DATA names "
                           "a folder that holds %s/",
                           share, name, name);
+  if (status == UM_OK) status = um_core_replay_leave_out(context, *out);
+  if (status != UM_OK) {
+    um_core_free(context, *out);
+    *out = NULL;
+  }
   um_core_free(context, share);
   return status;
 }

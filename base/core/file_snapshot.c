@@ -2,17 +2,18 @@
  * what is built many times is built from the same bytes though somebody edits them meanwhile. What
  * others read, a library or the loader, is not in memory: it must stay what it was. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/core/digest.h"
 #include "base/core/file_snapshot.h"
 #include "base/core/file_snapshot_impl.h"
 #include "base/core/plain_file.h"
-
-#define PIECE ((size_t)1 << 20) /* read between two looks at the stop [bytes] */
+#include "base/core/replay.h"
 
 struct held {
   char *path, *text; /* text with a NUL behind it; NULL: what others read */
@@ -89,6 +90,7 @@ void um_core_snapshot_forget(struct um_context *context, const char *path)
 {
   struct um_core_snapshot *h = *um_core_context_snapshot(context);
   struct held *file = find(h, path);
+  um_core_replay_forget(context, path);
   if (file == NULL) return;
   UM_FREE(context, file->path, file->text);
   *file = h->file[--h->count];
@@ -96,31 +98,12 @@ void um_core_snapshot_forget(struct um_context *context, const char *path)
 
 /* --- what others read ------------------------------------------------------------------------ */
 
-static enum um_status digest_open_file(struct um_context *context, const char *path, FILE *file,
-                                       uint64_t *out)
-{
-  enum um_status status;
-  char *piece;
-  size_t got;
-  UM_TRY(um_core_allocate(context, PIECE, 1, &piece));
-  do {
-    got = fread(piece, 1, PIECE, file);
-    *out = um_core_digest(*out, piece, got);
-    UM_CHECK(um_core_stop_check(context, "a file was read"));
-  } while (got == PIECE);
-  if (ferror(file)) status = um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
-done:
-  um_core_free(context, piece);
-  return status;
-}
-
 enum um_status um_core_file_digest(struct um_context *context, const char *path, uint64_t *out)
 {
-  FILE *file;
-  UM_TRY(um_core_file_open(context, path, &file));
-  *out = UM_CORE_DIGEST_BEGIN;
-  enum um_status status = digest_open_file(context, path, file, out);
-  fclose(file);
+  int descriptor;
+  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, &descriptor));
+  enum um_status status = um_core_descriptor_digest(context, path, descriptor, out);
+  close(descriptor);
   return status;
 }
 

@@ -16,7 +16,8 @@ void um_core_snapshot_end(struct um_context *context);
  * already and has changed since, or was read by um_core_file_read, which refuses one that is noted:
  * it is of another kind now. */
 enum um_status um_core_snapshot_note(struct um_context *context, const char *path);
-/* A file leaves the snapshot: it is read from the disk the next time. Does not fail. */
+/* A file leaves the snapshot, and the record of what a command read (base/core/replay.h): it is no
+ * input of the user's, and is read from the disk the next time. Does not fail. */
 void um_core_snapshot_forget(struct um_context *context, const char *path);
 /* Every file that was read or noted since the last um_core_snapshot_begin, in the order of the
  * first time, with the digest of its bytes (base/core/digest.h). */

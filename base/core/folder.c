@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/core/file.h"
+#include "base/core/replay.h"
 #include "base/core/stale_temporaries_impl.h"
 
 #define MARKER     UM_CORE_FOLDER_MARKER
@@ -264,6 +265,16 @@ static enum um_status prepare_given(struct um_context *context, struct um_core_f
   return status;
 }
 
+/* What was run to make it. */
+static enum um_status write_replay(struct um_context *context, struct um_core_folder *f)
+{
+  FILE *file;
+  if (!um_core_replay_is_on(context)) return UM_OK;
+  UM_TRY(um_core_folder_open(context, f, UM_CORE_REPLAY_FILE, &file));
+  um_core_replay_write(context, file);
+  return um_core_file_close(context, UM_CORE_REPLAY_FILE, &file);
+}
+
 enum um_status um_core_folder_give(struct um_context *context, struct um_core_folder **folder)
 {
   (*folder)->given = true;
@@ -277,7 +288,7 @@ enum um_status um_core_folder_commit(struct um_context *context, struct um_core_
   bool exists;
   *folder = NULL;
   UM_CHECK(check_target(context, f->target, f->force, &exists));
-  if (f->given) UM_CHECK(prepare_given(context, f));
+  UM_CHECK(f->given ? prepare_given(context, f) : write_replay(context, f));
   UM_CHECK(um_core_tree_sync(context, f->partial));
   /* nothing of a run that was asked to stop is published, whoever overheard the stop */
   UM_CHECK(um_core_stop_check(context, "the results were written"));

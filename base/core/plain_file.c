@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/core/replay.h"
+
 static enum um_status fail_errno(struct um_context *context, const char *path)
 {
   return um_core_fail(context, UM_ERR_IO, "%s: %s", path, strerror(errno));
@@ -44,11 +46,22 @@ enum um_status um_core_descriptor_open(struct um_context *context, const char *p
   return status;
 }
 
+/* To read: on record as an input of the command. */
+static enum um_status open_input(struct um_context *context, const char *path, int *out)
+{
+  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, out));
+  enum um_status status = um_core_replay_note(context, path, *out);
+  if (status == UM_OK) return UM_OK;
+  close(*out);
+  *out = -1;
+  return status;
+}
+
 enum um_status um_core_file_open(struct um_context *context, const char *path, FILE **out)
 {
   int descriptor;
   *out = NULL;
-  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, &descriptor));
+  UM_TRY(open_input(context, path, &descriptor));
   *out = fdopen(descriptor, "rb");
   if (*out != NULL) return UM_OK;
   close(descriptor);
@@ -58,7 +71,7 @@ enum um_status um_core_file_open(struct um_context *context, const char *path, F
 enum um_status um_core_file_check(struct um_context *context, const char *path)
 {
   int descriptor;
-  UM_TRY(um_core_descriptor_open(context, path, O_RDONLY, &descriptor));
+  UM_TRY(open_input(context, path, &descriptor));
   close(descriptor);
   return UM_OK;
 }

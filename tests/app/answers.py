@@ -124,6 +124,7 @@ def commands():
     yield ["material", "--from-profile", "profile.csv"]
     yield ["material", "panel", "--from-reflectance", "ratio.csv", "--from-profile", "profile.csv"]
     yield ["validate", "--optics"]
+    yield ["replay", "run"]
     yield ["completion", "bash"]
     yield ["help"]
     yield ["help", "run"]

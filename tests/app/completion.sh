@@ -38,7 +38,7 @@ holds() { # one that is offered, words...
 }
 
 complete -p umbra | grep -q -- '-F _umbra umbra' || fail "not registered"
-expect "render|report|retrieve|run|" umbra r
+expect "render|replay|report|retrieve|run|" umbra r
 expect "--version|" umbra --v
 expect "completion|" umbra help compl
 expect "|" umbra effec # an old name
@@ -66,6 +66,9 @@ expect "out/|" umbra run -o o
 expect "out/|" umbra run --out = o
 expect "mine.so|" umbra run x --effect-file mi
 expect "|" umbra run x --threads ""
+touch record.json
+expect "a b/|out/|record.json|scenarios/|" umbra replay ""
+rm record.json
 expect "|" umbra run scenarios ""
 expect "|" umbra validate x
 # Every command offers its options; those of help are those of the completion.

@@ -34,8 +34,9 @@ static void expect_names(const char *folder, const char *expected)
 
 #define FILES(folder)                                                                              \
   folder "/.umbra\n" folder "/heat.csv\n" folder "/lightcurve.csv\n" folder "/log.txt\n" folder    \
-         "/materials.csv\n" folder "/report.html\n" folder "/run.nc\n" folder "/run.xdmf\n" folder \
-         "/scenario.yaml\n" folder "/temperatures.cic\n" folder "/temperatures.csv\n"
+         "/materials.csv\n" folder "/replay.json\n" folder "/report.html\n" folder                 \
+         "/run.nc\n" folder "/run.xdmf\n" folder "/scenario.yaml\n" folder                         \
+         "/temperatures.cic\n" folder "/temperatures.csv\n"
 
 /* Everything that a run writes; nothing beside the folder. */
 static void test_appears_whole(void **state)

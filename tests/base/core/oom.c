@@ -5,6 +5,7 @@
 
 #include "base/core/csv.h"
 #include "base/core/file.h"
+#include "base/core/replay.h"
 #include "tests/base/document/sample_schema.h"
 #include "tests/support/allocator.h"
 #include "tests/support/cmocka_all.h"
@@ -94,6 +95,31 @@ done:
   return status;
 }
 
+/* What a command read, and the folder that tells of it. */
+static enum um_status use_record(struct um_context *context)
+{
+  static char *const command[] = {(char *)"run", (char *)"oom-a"};
+  enum um_status status;
+  struct um_core_folder *folder = NULL;
+  FILE *file = fopen("oom-a", "wb");
+  assert_non_null(file);
+  assert_int_equal(fclose(file), 0);
+  UM_CHECK(um_core_replay_begin(context, "1", command, 2));
+  UM_CHECK(um_core_replay_leave_out(context, "/usr"));
+  UM_CHECK(um_core_file_check(context, "oom-a"));
+  UM_CHECK(um_core_folder_begin(context, "oom-out", false, &folder));
+  UM_CHECK(um_core_folder_commit(context, &folder));
+done:
+  um_core_replay_end(context);
+  um_core_folder_abort(&folder);
+  remove("oom-a");
+  remove("oom-out/.umbra");
+  /* with its record, where it is there at all */
+  bool whole = remove("oom-out/replay.json") == 0;
+  if ((remove("oom-out") == 0) != whole && status == UM_OK) status = UM_ERR_IO;
+  return status;
+}
+
 static enum um_status use_log(struct um_context *context)
 {
   /* a log line that finds no memory is lost; the run goes on */
@@ -143,6 +169,7 @@ static void test_every_allocation_fails(void **state)
               {"large document", use_large_document, false},
               {"refusal", use_refusal, false},
               {"folder", use_folder, false},
+              {"record", use_record, false},
               {"log", use_log, true}};
   for (size_t i = 0; i < sizeof uses / sizeof uses[0]; i++)
     print_message("%s: each of %ld allocations failed once\n", uses[i].name,
