@@ -54,7 +54,7 @@ static size_t print_cases(const struct um_variant_cases *cases, const char *fold
         "..}]\n");
   else
     printf("%zu of %zu limits are exceeded\n", exceeded, limits);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
   return exceeded;
 }
 
