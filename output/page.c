@@ -15,13 +15,6 @@ enum um_status um_output_page_column(struct um_output_page *p, double **out)
   return UM_PAGE_ROOM(p->w, p->run->result->nobs, out);
 }
 
-void um_output_page_picture(struct um_output_page *p, const char *name)
-{
-  char path[4096];
-  int n = snprintf(path, sizeof path, "%s/%s", p->folder, name);
-  if (n > 0 && (size_t)n < sizeof path) um_page_picture(p->page, path);
-}
-
 static enum um_status times(struct um_output_page *p)
 {
   const struct um_model_tables *tables = p->run->tables;
@@ -162,9 +155,7 @@ static void files(struct um_output_page *p)
 
 static enum um_status fill(struct um_page_writer *w, const void *of)
 {
-  struct um_output_page whole = *(const struct um_output_page *)of, *p = &whole;
-  p->w = w;
-  p->page = w->page;
+  struct um_output_page whole = {.w = w, .page = w->page, .run = of}, *p = &whole;
   UM_TRY(times(p));
   lead(p);
   UM_TRY(um_output_page_light(p));
@@ -182,8 +173,7 @@ static enum um_status fill(struct um_page_writer *w, const void *of)
 enum um_status um_output_write_page(struct um_context *context, const struct um_output_run *run,
                                     struct um_core_folder *folder)
 {
-  const struct um_output_page of = {.run = run, .folder = um_core_folder_path(folder)};
   const struct um_page_head head = {
       .command = run->command, .kind = "run", .title = run->model->scenario->name};
-  return um_page_report(context, &head, fill, &of, folder);
+  return um_page_report(context, &head, fill, run, folder);
 }

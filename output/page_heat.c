@@ -37,7 +37,7 @@ enum um_status um_output_page_temperatures(struct um_output_page *p)
   const struct um_page_panel panel = {
       .name = "temperature", .unit = "K", .series = series, .nseries = r->nplace};
   um_page_section(p->page, "temperatures", "How warm is it?", UM_PAGE_PLAIN);
-  um_output_page_picture(p, "temperatures.svg");
+  um_page_writer_picture(p->w, "temperatures.svg");
   um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, &panel, 1);
   return UM_OK;
 }

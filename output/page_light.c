@@ -153,7 +153,7 @@ enum um_status um_output_page_light(struct um_output_page *p)
                         "about a curve is one standard error of the ray tracing.");
   if (p->w->nshade > 0)
     um_page_text(p->page, "Shaded: the satellite is in the Earth's umbra or penumbra.");
-  um_output_page_picture(p, "lightcurve.svg");
+  um_page_writer_picture(p->w, "lightcurve.svg");
   const struct um_page_figure figure = {
       .id = "light", .title = "Light curves", .file = "lightcurve.csv"};
   um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, panel, npanel);
@@ -248,7 +248,7 @@ enum um_status um_output_page_counts(struct um_output_page *p)
   }
   um_page_section(p->page, "counts", "What does the detector count?", UM_PAGE_PLAIN);
   um_page_text(p->page, "Expected counts of the satellite, without the sky and without noise.");
-  um_output_page_picture(p, "counts.svg");
+  um_page_writer_picture(p->w, "counts.svg");
   um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, panel, r->nsensor);
   return UM_OK;
 }

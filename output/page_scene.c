@@ -274,6 +274,6 @@ enum um_status um_output_page_scene(struct um_output_page *p)
   UM_TRY(quantities(p, observation, &scene));
   um_page_section(p->page, "satellite", "How does it look, and how warm is each surface?",
                   UM_PAGE_PLAIN);
-  um_output_page_picture(p, "satellite.svg");
+  um_page_writer_picture(p->w, "satellite.svg");
   return um_output_page_put_scene(p->w, p->run->model, &scene, &figure);
 }

@@ -12,7 +12,8 @@ static enum um_status make(struct um_context *context, const struct um_page_head
                            FILE *file)
 {
   enum um_status status;
-  struct um_page_writer w = {.context = context};
+  struct um_page_writer w = {.context = context,
+                             .folder = folder != NULL ? um_core_folder_path(folder) : NULL};
   UM_CHECK(um_page_create(context, head, &w.page));
   UM_CHECK(fill(&w, of));
   status = folder != NULL ? um_page_write_report(context, w.page, folder)
@@ -33,6 +34,13 @@ enum um_status um_page_put(struct um_context *context, const struct um_page_head
                            um_page_fill *fill, const void *of, FILE *file)
 {
   return make(context, head, fill, of, NULL, file);
+}
+
+void um_page_writer_picture(struct um_page_writer *w, const char *name)
+{
+  char path[4096];
+  int n = w->folder != NULL ? snprintf(path, sizeof path, "%s/%s", w->folder, name) : 0;
+  if (n > 0 && (size_t)n < sizeof path) um_page_picture(w->page, path);
 }
 
 enum um_status um_page_words(struct um_page_writer *w, const char **out, const char *format, ...)

@@ -10,6 +10,7 @@ struct um_page_writer {
   struct um_context *context;
   struct um_page *page;
   struct um_core_arena memory; /* given back once the page is written */
+  const char *folder;          /* in the making; NULL: there is none */
   struct um_page_axis time;    /* um_page_writer_times */
   struct um_page_shade *shade; /* [nshade] */
   size_t nshade;
@@ -25,6 +26,9 @@ enum um_status um_page_report(struct um_context *context, const struct um_page_h
 /* The same into a stream, of whose errors the caller looks. */
 enum um_status um_page_put(struct um_context *context, const struct um_page_head *head,
                            um_page_fill *fill, const void *of, FILE *file);
+
+/* um_page_picture of that file of the folder. */
+void um_page_writer_picture(struct um_page_writer *w, const char *name);
 
 /* n zeroed things of the kind that *out points to, of the writer's memory. UM_ERR_MEMORY. */
 #define UM_PAGE_ROOM(w, n, out)                                                                    \

@@ -184,7 +184,7 @@ static enum um_status fill(struct um_page_writer *p, const void *of)
   UM_TRY(sliders(w, row, nrow));
   um_page_section(w->page, "leaders", "What moves it most?", UM_PAGE_PLAIN);
   um_page_text(w->page, "Calibration and air, which act behind the satellite, are left out here.");
-  um_page_picture(w->page, "sensitivity.svg");
+  um_page_writer_picture(w->p, "sensitivity.svg");
   for (size_t g = 0; g < um_sensitivity_report_groups(m); g++) UM_TRY(leaders(w, g));
   return errors(w, row, nrow);
 }

@@ -149,6 +149,32 @@ test("bars, maps and the sky show their numbers", () =>
     assert.ok(Math.abs(90 - (90 * Math.hypot(...dot)) / 150 - flown.elevation[300]) < 0.01);
   }));
 
+test("ranges stand between their limits, and what is beyond them is told apart", () =>
+  visit("plain", async (page) => {
+    const rows = await page.locator('figure[data-id="limits"] .range-row[role="listitem"]').evaluateAll((all) =>
+      all.map((row) => {
+        const box = (e) => e.getBoundingClientRect();
+        const track = box(row.querySelector(".bar-track"));
+        const at = (x) => (x - track.left) / track.width;
+        const ends = (kind) => [...row.querySelectorAll(kind)].map((e) => [at(box(e).left), at(box(e).right)]);
+        return { name: row.children[0].textContent, of: row.children[1].textContent, bars: ends(".range:not(.pale)"), beyond: ends(".range.beyond:not(.pale)"), limits: ends(".range-limit").map(([l]) => l) };
+      }),
+    );
+    assert.deepEqual(rows.map((r) => [r.name, r.of]), [["battery", "hot"], ["", "cold"], ["array", "hot"]]);
+    // The axis by two ends that are known, of the widest range: 190 K to 371 K.
+    const [left, right] = rows[2].bars[0];
+    const kelvin = (share) => 190 + ((share - left) / (right - left)) * (371 - 190);
+    const near = (share, value) => assert.ok(Math.abs(kelvin(share) - value) < 0.5, `${kelvin(share)} in place of ${value}`);
+    near(rows[0].bars[0][0], 285);
+    near(rows[0].bars.at(-1)[1], 312);
+    near(rows[0].beyond[0][0], 308);
+    near(rows[1].bars[0][0], 276);
+    near(rows[1].bars[0][1], 281);
+    assert.equal(rows[1].beyond.length, 0);
+    near(rows[0].limits[0] + 1 / 600, 273);
+    assert.equal(rows[2].limits.length, 0);
+  }));
+
 test("several documents beside each other are told apart by name", () =>
   visit("plain", async (page) => {
     const names = await page.locator('figure[data-id="two"] .entry-name').allTextContents();
