@@ -115,6 +115,31 @@ test("a facet has the colour of its value on the bar, and pointing at it names i
     assert.match(await page.locator(".scene-tip").textContent(), /(bus|radiator|panel).*temperature [\d.]+ K/);
   }));
 
+test("the satellite fills its picture at the instant at which it is largest, and at none is cut off", () =>
+  visit("plain", async (page) => {
+    const reach = await page.evaluate(() => {
+      const { view } = window.umbra.figure("satellite");
+      const [width, height] = [view.canvas.clientWidth, view.canvas.clientHeight];
+      const { steps } = window.umbra.clock;
+      let [most, cut] = [0, 0];
+      for (let k = 0; k < 12; k += 1) {
+        window.umbra.clock.move(steps[Math.floor((k * (steps.length - 1)) / 11)]);
+        view.draw();
+        let [left, right, top, bottom] = [width, 0, height, 0];
+        for (let x = 2; x < width; x += 8)
+          for (let y = 2; y < height; y += 8) {
+            if (view.surfaceAt(x, y) < 0) continue;
+            [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+          }
+        most = Math.max(most, (right - left) / width, (bottom - top) / height);
+        if (left < 8 || top < 8 || right > width - 8 || bottom > height - 8) cut += 1;
+      }
+      return { most, cut };
+    });
+    assert.ok(reach.most > 0.75, `${reach.most} of the picture`);
+    assert.equal(reach.cut, 0);
+  }));
+
 test("bars, maps and the sky show their numbers", () =>
   visit("plain", async (page) => {
     const bars = figureOf(made.plain.document, "flows").bars;
