@@ -201,7 +201,8 @@ static enum um_status one(struct um_forecast_page *k, size_t i, size_t number)
   UM_TRY(um_forecast_page_light(k, pass, &lit));
   UM_TRY(um_forecast_page_sky(k, pass, &sky_now));
   UM_TRY(um_page_words(k->w, &id[0], "pass-%zu", number));
-  UM_TRY(um_page_words(k->w, &title[0], "%s, %.0f\xc2\xb0 high, %s, %s", when,
+  UM_TRY(um_page_words(k->w, &title[0], "%s%s%s, %.0f\xc2\xb0 high, %s, %s", when,
+                       f->nstation > 1 ? " over " : "", f->nstation > 1 ? over : "",
                        pass->pass.culmination_elevation / UM_DEG, sky_now, lit));
   UM_TRY(um_page_words(k->w, &id[1], "sky-%zu", number));
   UM_TRY(um_page_words(k->w, &title[1], "Path over %s, %s", over, when));
@@ -269,7 +270,12 @@ enum um_status um_forecast_page_curves(struct um_forecast_page *k)
   UM_TRY(UM_PAGE_ROOM(k->w, f->npass, &k->track));
   um_page_section(k->page, "when", "When is it up, and how bright is it?", UM_PAGE_PLAIN);
   um_page_text(k->page, "Shaded: night, and twilight from sunset on, at the station.");
-  um_page_writer_picture(k->w, "passes.svg");
+  if (f->nstation == 1) um_page_writer_picture(k->w, "passes.svg");
+  for (size_t s = 0; f->nstation > 1 && s < f->nstation; s++) {
+    const char *name;
+    UM_TRY(um_page_words(k->w, &name, "passes-%s.svg", f->station[s].name));
+    um_page_writer_picture(k->w, name);
+  }
   for (size_t s = 0; status == UM_OK && s < f->nstation; s++) {
     struct um_model *orbit = NULL;
     status = orbit_of(k, s, &orbit);
