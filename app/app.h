@@ -35,6 +35,9 @@ struct um_model_options um_app_model_options(const struct um_app_options *option
  * scenario, out/NAME--set-..., a folder of that variant's own. The caller frees *out. */
 enum um_status um_app_out_folder(struct um_context *context, const struct um_app_options *options,
                                  const char *name, char **out);
+/* The last lines of a command: "results in FOLDER", and where the folder holds a page to look at,
+ * "to look at: FOLDER/report.html". */
+void um_app_tell_results(const char *folder);
 /* "REL" or "REL,FLOOR"; who takes the numbers checks their range. */
 bool um_app_noise_parse(const char *text, double fallback_floor, double *relative, double *floor);
 /* "MAG,X,Y"; false: it is something else. */

@@ -146,7 +146,7 @@ static void print_all(const struct work *w)
          "attitude.0.spin.at_utc=%s\n",
          s->lvlh ? "lvlh" : "gcrs", best->axis.x, best->axis.y, best->axis.z, best->period,
          best->phase / UM_DEG, at);
-  printf("results in %s\n", w->out);
+  um_app_tell_results(w->out);
 }
 
 static void json_all(const struct work *w)

@@ -54,7 +54,7 @@ static size_t print_cases(const struct um_variant_cases *cases, const char *fold
         "..}]\n");
   else
     printf("%zu of %zu limits are exceeded\n", exceeded, limits);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
   return exceeded;
 }
 
@@ -96,8 +96,8 @@ static enum um_status write_files(struct um_context *context, const struct um_ap
   UM_TRY(um_core_folder_open(context, folder, "limits.csv", &file));
   um_output_write_cases(cases, file);
   UM_TRY(um_core_file_close(context, "limits.csv", &file));
-  if (options->no_plots) return UM_OK;
-  return um_output_plot_cases(context, cases, um_core_folder_path(folder));
+  if (!options->no_plots) UM_TRY(um_output_plot_cases(context, cases, um_core_folder_path(folder)));
+  return um_output_page_cases(context, cases, folder);
 }
 
 int um_app_cases(struct um_context *context, const struct um_app_options *options)

@@ -108,7 +108,7 @@ static void print_comparison(const struct um_compare_comparison *c, const char *
         "optics.samples %d in place of the scenario's %d, so that the model's own sampling error "
         "stays small\n",
         c->samples, c->samples_before);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 static enum um_status write_folder(struct um_context *context,

@@ -259,6 +259,7 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
   if (d->allowance) printf("\nwhat is left is not quite noise\n");
   printf("\n%zu model evaluations in the time of %.3g forward runs (%.3g s)\n", f->evaluations,
          f->seconds / f->seconds_first, f->seconds);
-  printf("results in %s, the scenario as it now stands in %s/improved\n", folder, folder);
+  printf("the scenario as it now stands in %s/improved\n", folder);
+  um_app_tell_results(folder);
   return UM_OK;
 }

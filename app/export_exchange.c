@@ -19,10 +19,10 @@ static void print(const struct um_app_options *options,
            table->noutside, table->patches->npatch - table->noutside, table->nroom, table->npose);
     return;
   }
-  printf("%zu patches outside in %zu pose%s, %zu inside of %zu part%s\nresults in %s\n",
-         table->noutside, table->npose, table->npose == 1 ? "" : "s",
-         table->patches->npatch - table->noutside, table->nroom, table->nroom == 1 ? "" : "s",
-         folder);
+  printf("%zu patches outside in %zu pose%s, %zu inside of %zu part%s\n", table->noutside,
+         table->npose, table->npose == 1 ? "" : "s", table->patches->npatch - table->noutside,
+         table->nroom, table->nroom == 1 ? "" : "s");
+  um_app_tell_results(folder);
 }
 
 static int export_exchange(struct um_context *context, const struct um_app_options *options)

@@ -1,4 +1,4 @@
-/* Where results go when --out is not given.
+/* Where results go when --out is not given, and how a command says where they went.
  *
  * out/NAME for a scenario as it is. What the command line changes is another model: it gets a
  * folder of its own, out/NAME--CHANGES, so that a variant never replaces the base it is to be held
@@ -7,9 +7,11 @@
  * the whole, so that two different changes never share a folder by that. */
 #include <stdint.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "app/app.h"
 #include "base/core/digest.h"
+#include "base/page/page.h"
 
 #define SLUG_LENGTH 60 /* of CHANGES without the hash; names of folders end at 255 bytes */
 
@@ -55,4 +57,12 @@ enum um_status um_app_out_folder(struct um_context *context, const struct um_app
   if (!slug.lossy) return um_core_asprintf(context, out, "out/%s%s", name, slug.text);
   return um_core_asprintf(context, out, "out/%s%s-%08x", name, slug.text,
                           (unsigned)(slug.hash ^ (slug.hash >> 32)) & 0xffffffffU);
+}
+
+void um_app_tell_results(const char *folder)
+{
+  char path[4096];
+  int n = snprintf(path, sizeof path, "%s/%s", folder, UM_PAGE_FILE);
+  printf("results in %s\n", folder);
+  if (n > 0 && (size_t)n < sizeof path && access(path, R_OK) == 0) printf("to look at: %s\n", path);
 }

@@ -149,7 +149,7 @@ void um_app_forecast_print(const struct um_forecast *f, const char *folder)
   if (delay > 1.0)
     printf("two-line elements are old: times may be wrong by %.2g s (1 sigma) at the end\n", delay);
   print_leaders(f);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 /* Of each band the parameter that gives most of its variance, and its share. */

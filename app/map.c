@@ -74,7 +74,7 @@ static void print_all(const struct work *w)
   if (w->on_map != NULL)
     printf("%s: %zu rows on the map, %zu in the shadow left out\n", w->measurements->path,
            w->on_map->count, w->on_map->dark);
-  printf("results in %s\n", w->out);
+  um_app_tell_results(w->out);
 }
 
 static void json_band(const struct work *w, size_t b)

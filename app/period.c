@@ -36,7 +36,7 @@ static void print_report(const struct um_compare_period_report *r, const char *f
       UM_COMPARE_PERIOD_LEVEL);
   printf("the light of a tumbling body often repeats twice or more a turn: look at 2 and 4 times "
          "the period too\n");
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 static void print_json(const struct um_compare_period_report *r, const char *folder)

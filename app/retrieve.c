@@ -73,7 +73,7 @@ static void print_summary(const struct um_compare_retrieved *retrieved, const ch
   if (twos > 0)
     printf("two grey bodies explain more than their two parameters at %zu of %zu times\n", better,
            twos);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 static enum um_status write_folder(struct um_context *context,

@@ -97,7 +97,7 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
            run->model->observer.kind == UM_OBSERVER_STATION
                ? "the satellite being below the horizon"
                : "the Earth being in between");
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 static void json_run(const struct um_output_run *run, const char *folder, double *work)

@@ -158,5 +158,5 @@ void um_app_sensitivity_print(const struct um_sensitivity_report *r, const char 
   if (columns > 0) print_pieces(m);
   for (size_t i = 0; i < r->nwhat_if; i++) print_what_if(m, &r->what_if[i]);
   print_rest(m);
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }

@@ -26,7 +26,7 @@ static void print_result(const struct um_study_result *r, const char *folder)
     if (short_of || r->error[q] > of->asked) printf(", asked %.2g %s", scale * of->asked, unit);
     printf("%s\n", of->withheld ? ", of solved points alone" : "");
   }
-  printf("results in %s\n", folder);
+  um_app_tell_results(folder);
 }
 
 static void json_result(const struct um_study_result *r, const char *folder)

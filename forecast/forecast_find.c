@@ -99,18 +99,26 @@ static enum um_status make_orbit(struct um_context *context, const struct um_for
   return status;
 }
 
+enum um_status um_forecast_orbit(struct um_context *context, const struct um_forecast_work *work,
+                                 const struct um_forecast *f, size_t station, struct um_model **out)
+{
+  struct um_forecast_changes changes;
+  double step = fmax(HOUR, (f->to - f->from) / STEPS);
+  enum um_status status =
+      um_forecast_changes(context, work, station, f->from, f->to, step, &changes);
+  if (status == UM_OK) status = make_orbit(context, work, &changes.all, out);
+  um_forecast_changes_clear(context, &changes);
+  return status;
+}
+
 enum um_status um_forecast_find(struct um_context *context, const struct um_forecast_work *work,
                                 struct um_forecast *f, size_t station)
 {
   enum um_status status;
-  struct um_forecast_changes changes;
   struct um_model *orbit = NULL;
   struct um_orbit_pass *pass = NULL;
   size_t n = 0;
-  double step = fmax(HOUR, (f->to - f->from) / STEPS);
-  UM_CHECK(um_forecast_changes(context, work, station, f->from, f->to, step, &changes));
-  status = make_orbit(context, work, &changes.all, &orbit);
-  UM_CHECK(status);
+  UM_CHECK(um_forecast_orbit(context, work, f, station, &orbit));
   UM_CHECK(um_forecast_check_orbit(context, orbit));
   UM_CHECK(um_orbit_passes_find(context, &orbit->observer, orbit->trajectory, f->from - BEYOND,
                                 f->to + BEYOND, f->minimum_elevation, &pass, &n));
@@ -119,6 +127,5 @@ enum um_status um_forecast_find(struct um_context *context, const struct um_fore
 done:
   um_core_free(context, pass);
   um_model_destroy(context, &orbit);
-  um_forecast_changes_clear(context, &changes);
   return status;
 }

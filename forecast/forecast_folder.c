@@ -19,5 +19,6 @@ enum um_status um_forecast_write(struct um_context *context, const struct um_for
   UM_TRY(write_file(context, folder, "passes.ics", f, um_forecast_ics));
   if (f->nuncertain > 0)
     UM_TRY(write_file(context, folder, "contributions.csv", f, um_forecast_contributions));
-  return pictures ? um_forecast_plot(context, f, um_core_folder_path(folder)) : UM_OK;
+  if (pictures) UM_TRY(um_forecast_plot(context, f, um_core_folder_path(folder)));
+  return um_forecast_page(context, f, folder);
 }

@@ -159,6 +159,11 @@ enum um_status um_forecast_sigma(struct um_context *context, const struct um_for
 void um_forecast_tell_bends(struct um_context *context, const struct um_forecast *forecast);
 
 /* --- forecast_find.c --- */
+/* The scenario over the days as seen from a station. Errors of um_model_variant_create or
+ * um_model_create_orbit. The caller destroys. */
+enum um_status um_forecast_orbit(struct um_context *context, const struct um_forecast_work *work,
+                                 const struct um_forecast *forecast, size_t station,
+                                 struct um_model **out);
 /* Passes of a station that culminate in the days, behind those that there are. UM_ERR_INPUT: no
  * station, no orbit, more than UM_FORECAST_MOST; errors of um_model_create_orbit. */
 enum um_status um_forecast_find(struct um_context *context, const struct um_forecast_work *work,

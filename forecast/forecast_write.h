@@ -1,4 +1,4 @@
-/* Forecasts as a table, as a calendar and as a picture. */
+/* Forecasts as a table, as a calendar, as a picture and as a page. */
 #ifndef UMBRA_STUDY_FORECAST_WRITE_H
 #define UMBRA_STUDY_FORECAST_WRITE_H
 
@@ -21,8 +21,14 @@ void um_forecast_ics(const struct um_forecast *forecast, FILE *file);
 enum um_status um_forecast_plot(struct um_context *context, const struct um_forecast *forecast,
                                 const char *folder);
 
+/* report.html of a forecast whose passes were computed, behind the picture that it may show.
+ * Errors of um_model_sample_seen; UM_ERR_IO, UM_ERR_MEMORY. */
+enum um_status um_forecast_page(struct um_context *context, const struct um_forecast *forecast,
+                                struct um_core_folder *folder);
+
 /* All of these into a folder that is being written: passes.csv, curves.csv, passes.ics, where
- * something is uncertain contributions.csv. UM_ERR_IO; errors of um_forecast_plot. */
+ * something is uncertain contributions.csv, report.html. UM_ERR_IO; errors of um_forecast_plot and
+ * um_forecast_page. */
 enum um_status um_forecast_write(struct um_context *context, const struct um_forecast *forecast,
                                  bool pictures, struct um_core_folder *folder);
 

@@ -55,6 +55,7 @@ void umbra_scenario_close(struct umbra_scenario **scenario)
 {
   if (scenario == NULL || *scenario == NULL) return;
   struct umbra *session = (*scenario)->session;
+  um_document_destroy(&(*scenario)->document);
   um_library_source_release(session->context, &(*scenario)->source);
   um_core_free(session->context, *scenario);
   *scenario = NULL;
@@ -162,6 +163,7 @@ enum umbra_status umbra_scenario_change(struct umbra *umbra, struct umbra_scenar
   struct um_library_source *source = &scenario->source;
   size_t nset = source->nset, nchange = source->nchange;
   enum um_status status = UM_OK;
+  um_document_destroy(&scenario->document);
   for (size_t i = 0; status == UM_OK && i < n; i++) status = take(umbra, &change[i], i, source);
   if (status == UM_OK && source->nset > nset) status = check(context, source);
   while (status != UM_OK && source->nset > nset) um_library_source_drop_set(context, source);
@@ -195,4 +197,45 @@ enum umbra_status umbra_scenario_effect(struct umbra *umbra, struct umbra_scenar
   struct umbra_change change = UMBRA_CHANGE;
   change.effect = effect;
   return umbra_scenario_change(umbra, scenario, &change, 1);
+}
+
+static struct umbra_value value_of(const struct um_document_value *v)
+{
+  static const enum umbra_value_kind kinds[] = {[UM_DOCUMENT_NUMBER] = UMBRA_VALUE_NUMBER,
+                                                [UM_DOCUMENT_TEXT] = UMBRA_VALUE_TEXT,
+                                                [UM_DOCUMENT_LIST] = UMBRA_VALUE_LIST,
+                                                [UM_DOCUMENT_GROUP] = UMBRA_VALUE_GROUP};
+  struct umbra_value out = {.kind = kinds[v->kind],
+                            .number = v->number,
+                            .text = v->text,
+                            .count = v->count,
+                            .name = v->name,
+                            .nname = v->name != NULL ? v->count : 0};
+  bool word = v->kind == UM_DOCUMENT_TEXT && !v->quoted;
+  bool yes = word && strcmp(v->text, "true") == 0, no = word && strcmp(v->text, "false") == 0;
+  if (!yes && !no) return out;
+  out.kind = UMBRA_VALUE_FLAG;
+  out.number = yes ? 1.0 : 0.0;
+  return out;
+}
+
+enum umbra_status umbra_scenario_get(struct umbra *umbra, struct umbra_scenario *scenario,
+                                     const char *key, const struct umbra_value **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  const struct um_library_source *source = &scenario->source;
+  const struct um_scenario *read;
+  struct um_document_value value;
+  enum um_status status = UM_OK;
+  *out = NULL;
+  if (scenario->document == NULL)
+    UM_CHECK(um_model_scenario_read(context, source->path, source->text, NULL, 0, source->set,
+                                    source->nset, &scenario->document, &read));
+  UM_CHECK(um_document_value(scenario->document, key, &value));
+  if (value.kind == UM_DOCUMENT_NOTHING)
+    UM_CHECK(um_core_fail(context, UM_ERR_INPUT, "%s: the scenario states nothing there", key));
+  scenario->value = value_of(&value);
+  *out = &scenario->value;
+done:
+  return um_library_status(status);
 }

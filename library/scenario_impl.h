@@ -8,6 +8,8 @@
 struct umbra_scenario {
   struct umbra *session;
   struct um_library_source source;
+  struct um_document *document; /* the source as it was asked last; NULL: it was not, or changed */
+  struct umbra_value value;     /* the answer */
 };
 
 /* Is it one change, the index-th from 0? UM_ERR_INPUT. */

@@ -146,6 +146,27 @@ struct umbra_change {
  * a window of time may move. Errors of the three above. */
 enum umbra_status umbra_scenario_change(struct umbra *umbra, struct umbra_scenario *scenario,
                                         const struct umbra_change *change, size_t nchange);
+enum umbra_value_kind {
+  UMBRA_VALUE_NUMBER,
+  UMBRA_VALUE_FLAG, /* true or false */
+  UMBRA_VALUE_TEXT, /* times, too */
+  UMBRA_VALUE_LIST, /* elements by position: "parts.0" */
+  UMBRA_VALUE_GROUP /* elements by name */
+};
+struct umbra_value {
+  enum umbra_value_kind kind;
+  double number;           /* of a number, with all its bits; of a flag 1 or 0; else NaN */
+  const char *text;        /* of a number, a flag or a text, as it is written; else NULL */
+  size_t count;            /* of elements */
+  const char *const *name; /* of a group [nname]; else NULL */
+  size_t nname;
+};
+
+/* What a key says, changes of keys included; effects that changes turned on stand in no key. *out:
+ * borrowed from the scenario until it is changed or asked again. UMBRA_ERR_INPUT: the scenario
+ * states nothing there (umbra_key_at has defaults), UMBRA_ERR_MEMORY. */
+enum umbra_status umbra_scenario_get(struct umbra *umbra, struct umbra_scenario *scenario,
+                                     const char *key, const struct umbra_value **out);
 void umbra_scenario_close(struct umbra_scenario **scenario);
 
 /* --- model ----------------------------------------------------------------------------------- */

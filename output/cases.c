@@ -51,9 +51,8 @@ bool um_output_case_shows(const struct um_variant_cases *cases,
   return dot == NULL || strcmp(dot, ".interior") == 0;
 }
 
-/* The place of that name in a case; NULL: the case's parts have none. */
-static const struct um_variant_case_place *place_of(const struct um_variant_case *c,
-                                                    const char *name)
+const struct um_variant_case_place *um_output_case_place(const struct um_variant_case *c,
+                                                         const char *name)
 {
   for (size_t p = 0; p < c->nplace; p++)
     if (strcmp(c->place[p].name, name) == 0) return &c->place[p];
@@ -81,7 +80,8 @@ static struct bars bars_of(const struct um_variant_cases *cases)
     if (!um_output_case_shows(cases, first) || b.nall++ >= ROWS) continue;
     b.row[b.nrow++] = first;
     for (size_t i = 0; i < cases->count; i++) {
-      const struct um_variant_case_place *place = place_of(&cases->item[i], first->name);
+      const struct um_variant_case_place *place =
+          um_output_case_place(&cases->item[i], first->name);
       if (place == NULL) continue;
       double u = uncertainty_of(place);
       b.low = fmin(b.low, fmin(place->lowest - u, place->minimum));
@@ -103,7 +103,8 @@ static void put_table(struct um_plot *plot, const struct bars *b)
   um_plot_add(plot, "$bars << EOD\n");
   for (size_t row = 0; row < b->nrow; row++)
     for (size_t i = 0; i < b->cases->count; i++) {
-      const struct um_variant_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
+      const struct um_variant_case_place *place =
+          um_output_case_place(&b->cases->item[i], b->row[row]->name);
       if (place == NULL) continue;
       um_plot_add(plot, "%zu,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", i, middle(b, row, i),
                   place->lowest - least, place->highest + least, place->minimum, place->maximum,
@@ -124,7 +125,8 @@ static void put_words(struct um_plot *plot, const struct bars *b)
                   "linecolor rgb '#dddddd' back\n",
                   (double)row, (double)row);
     for (size_t i = 0; i < b->cases->count; i++) {
-      const struct um_variant_case_place *place = place_of(&b->cases->item[i], b->row[row]->name);
+      const struct um_variant_case_place *place =
+          um_output_case_place(&b->cases->item[i], b->row[row]->name);
       char words[60];
       if (place == NULL || isnan(um_variant_case_margin(place))) continue;
       bool exceeded = um_variant_case_exceeded(place);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "base/plot/plot.h"
 #include "model/run/run.h"
 #include "orbit/time.h"
 #include "output/band_summary.h"
@@ -13,29 +12,16 @@
 
 enum um_status um_output_page_column(struct um_output_page *p, double **out)
 {
-  return um_core_arena_allocate(p->context, &p->memory, p->run->result->nobs, sizeof **out, out);
-}
-
-void um_output_page_picture(struct um_output_page *p, const char *name)
-{
-  char path[4096];
-  int n = snprintf(path, sizeof path, "%s/%s", p->folder, name);
-  if (n > 0 && (size_t)n < sizeof path) um_page_picture(p->page, path);
+  return UM_PAGE_ROOM(p->w, p->run->result->nobs, out);
 }
 
 static enum um_status times(struct um_output_page *p)
 {
   const struct um_model_tables *tables = p->run->tables;
-  struct um_plot_shadow shadow;
   double *t;
   UM_TRY(um_output_page_column(p, &t));
   for (size_t k = 0; k < tables->nobs; k++) t[k] = um_orbit_time_unix(tables->t_obs[k]);
-  p->time = (struct um_page_axis){"time", "UTC", UM_PAGE_TIME, t, tables->nobs};
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, tables->nobs, sizeof *p->shade, &p->shade));
-  for (size_t k = 0; um_plot_shadow_next(tables->nobs, t, tables->sunlit, &k, &shadow);)
-    p->shade[p->nshade++] =
-        (struct um_page_shade){shadow.from, shadow.to, shadow.umbra ? "umbra" : "penumbra"};
-  return UM_OK;
+  return um_page_writer_times(p->w, tables->nobs, t, tables->sunlit);
 }
 
 static void lead(struct um_output_page *p)
@@ -93,18 +79,18 @@ enum um_status um_output_page_sky(struct um_output_page *p)
        .nseries = station ? 3 : 1}};
   um_page_section(p->page, "sky", "Where does it stand?", UM_PAGE_PLAIN);
   um_page_text(p->page, "The phase angle is that at the satellite between Sun and observer.");
-  const struct um_page_mark_at mark[] = {{p->time.value[0], "start"},
-                                         {p->time.value[tables->nobs - 1], "end"}};
-  const struct um_page_sky sky = {p->time.value, column[0], column[1], tables->sunlit,
-                                  tables->nobs,  mark,      2};
+  const struct um_page_mark_at mark[] = {{p->w->time.value[0], "start"},
+                                         {p->w->time.value[tables->nobs - 1], "end"}};
+  const struct um_page_sky sky = {p->w->time.value, column[0], column[1], tables->sunlit,
+                                  tables->nobs,     mark,      2};
   if (station) um_page_sky(p->page, &sky_figure, &sky);
-  um_page_axes(p->page, &geometry, &p->time, p->shade, p->nshade, panel, 2);
+  um_page_axes(p->page, &geometry, &p->w->time, p->w->shade, p->w->nshade, panel, 2);
   return UM_OK;
 }
 
 static void warnings(struct um_output_page *p)
 {
-  const char *line = um_core_log_text(p->context);
+  const char *line = um_core_log_text(p->w->context);
   for (size_t n; *line != '\0'; line += n + (line[n] == '\n')) {
     n = strcspn(line, "\n");
     if (strncmp(line, "warning: ", 9) == 0)
@@ -121,18 +107,16 @@ static enum um_status trust(struct um_output_page *p)
   const char **name, **unit;
   double *value, *work;
   UM_TRY(um_output_page_column(p, &work));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nband + 4, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nband + 4, sizeof *unit, &unit));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nband + 4, sizeof *value, &value));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nband + 4, &name));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nband + 4, &unit));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nband + 4, &value));
   for (size_t b = 0; model->has_observer && b < r->nband; b++) {
-    char *text;
-    UM_TRY(um_core_arena_allocate(p->context, &p->memory, 160, 1, &text));
-    snprintf(text, 160, "ray tracing, %.100s, median", model->band[b].name);
-    name[n] = text;
+    UM_TRY(um_page_words(p->w, &name[n], "ray tracing, %s, median", model->band[b].name));
     value[n] = 100.0 * um_output_band_summary(p->run->tables, r, b, work).median;
     unit[n++] = "%";
   }
-  name[n] = "energy audit of the heat, of the turnover (limit 1e-6)";
+  UM_TRY(um_page_words(p->w, &name[n], "energy audit of the heat, of the turnover (limit %.0e)",
+                       r->audit_limit));
   unit[n] = "1";
   value[n++] = r->audit_error;
   if (!isnan(model->orbit_error)) {
@@ -170,8 +154,9 @@ static void files(struct um_output_page *p)
   um_page_table(p->page, &figure, column, 2, sizeof name / sizeof name[0]);
 }
 
-static enum um_status sections(struct um_output_page *p)
+static enum um_status fill(struct um_page_writer *w, const void *of)
 {
+  struct um_output_page whole = {.w = w, .page = w->page, .run = of}, *p = &whole;
   UM_TRY(times(p));
   lead(p);
   UM_TRY(um_output_page_light(p));
@@ -189,14 +174,7 @@ static enum um_status sections(struct um_output_page *p)
 enum um_status um_output_write_page(struct um_context *context, const struct um_output_run *run,
                                     struct um_core_folder *folder)
 {
-  enum um_status status;
-  struct um_output_page p = {.context = context, .run = run, .folder = um_core_folder_path(folder)};
-  const struct um_page_head head = {run->command, "run", run->model->scenario->name, NULL};
-  UM_CHECK(um_page_create(context, &head, &p.page));
-  UM_CHECK(sections(&p));
-  UM_CHECK(um_page_write_report(context, p.page, folder));
-done:
-  um_page_destroy(context, &p.page);
-  um_core_arena_release(context, &p.memory);
-  return status;
+  const struct um_page_head head = {
+      .command = run->command, .kind = "run", .title = run->model->scenario->name};
+  return um_page_report(context, &head, fill, run, folder);
 }

@@ -22,11 +22,10 @@ enum um_status um_output_page_temperatures(struct um_output_page *p)
   const struct um_model_result *r = p->run->result;
   struct um_page_series *series;
   if (r->nplace == 0) return UM_OK;
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nplace, sizeof *series, &series));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nplace, &series));
   for (size_t i = 0; i < r->nplace; i++) {
-    char *column;
-    UM_TRY(um_core_arena_allocate(p->context, &p->memory, 200, 1, &column));
-    snprintf(column, 200, "%.190s.mean_K", r->place[i].name);
+    const char *column;
+    UM_TRY(um_page_words(p->w, &column, "%s.mean_K", r->place[i].name));
     series[i] = (struct um_page_series){.name = r->place[i].name,
                                         .role = "model",
                                         .column = column,
@@ -38,8 +37,8 @@ enum um_status um_output_page_temperatures(struct um_output_page *p)
   const struct um_page_panel panel = {
       .name = "temperature", .unit = "K", .series = series, .nseries = r->nplace};
   um_page_section(p->page, "temperatures", "How warm is it?", UM_PAGE_PLAIN);
-  um_output_page_picture(p, "temperatures.svg");
-  um_page_axes(p->page, &figure, &p->time, p->shade, p->nshade, &panel, 1);
+  um_page_writer_picture(p->w, "temperatures.svg");
+  um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, &panel, 1);
   return UM_OK;
 }
 
@@ -85,6 +84,6 @@ enum um_status um_output_page_heat(struct um_output_page *p)
       .name = "heat flow", .unit = "W", .zero = true, .series = series, .nseries = FLOWS};
   um_page_section(p->page, "heat", "Where does the heat come from, and where does it go?",
                   UM_PAGE_PLAIN);
-  um_page_axes(p->page, &figure, &p->time, p->shade, p->nshade, &panel, 1);
+  um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, &panel, 1);
   return UM_OK;
 }

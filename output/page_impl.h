@@ -2,25 +2,16 @@
 #ifndef UMBRA_OUTPUT_PAGE_IMPL_H
 #define UMBRA_OUTPUT_PAGE_IMPL_H
 
-#include "base/core/arena.h"
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "output/output.h"
 
 struct um_output_page {
-  struct um_context *context;
+  struct um_page_writer *w; /* its times are the observations' */
+  struct um_page *page;     /* the writer's */
   const struct um_output_run *run;
-  const char *folder; /* of the run in the making */
-  struct um_page *page;
-  struct um_core_arena memory; /* of everything below, and of columns in the making */
-  struct um_page_axis time;    /* the observations */
-  struct um_page_shade *shade; /* [nshade] */
-  size_t nshade;
 };
 /* [nobs] zeros, owned by the page. */
 enum um_status um_output_page_column(struct um_output_page *p, double **out);
-
-/* The picture of that name in the folder shows what the figures of the section do. */
-void um_output_page_picture(struct um_output_page *p, const char *name);
 
 /* The sections, each of what it has something to show of. */
 enum um_status um_output_page_light(struct um_output_page *p);

@@ -32,21 +32,19 @@ static enum um_page_scale scale_of(const struct um_output_run *run, const double
 }
 
 /* "vis_mag_ab", as lightcurve.csv calls it. */
-static enum um_status column_name(struct um_output_page *p, size_t band, size_t column, char **out)
+static enum um_status column_name(struct um_output_page *p, size_t band, size_t column,
+                                  const char **out)
 {
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, 200, 1, out));
-  snprintf(*out, 200, "%.100s%s", p->run->model->band[band].name,
-           um_output_lightcurve_tail(column));
-  return UM_OK;
+  return um_page_words(p->w, out, "%s%s", p->run->model->band[band].name,
+                       um_output_lightcurve_tail(column));
 }
 
-static enum um_status heading(struct um_output_page *p, size_t band, const char *what, char **out)
+static enum um_status heading(struct um_output_page *p, size_t band, const char *what,
+                              const char **out)
 {
   const struct um_optics_band *b = &p->run->model->band[band];
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, 200, 1, out));
-  snprintf(*out, 200, "%.100s %g\xe2\x80\x93%g \xc2\xb5m, %s", b->name, b->from * 1e6, b->to * 1e6,
-           what);
-  return UM_OK;
+  return um_page_words(p->w, out, "%s %g\xe2\x80\x93%g \xc2\xb5m, %s", b->name, b->from * 1e6,
+                       b->to * 1e6, what);
 }
 
 /* Magnitudes with the error of their flux: dm = 2.5 / ln 10 of its relative error. */
@@ -55,7 +53,7 @@ static enum um_status magnitudes(struct um_output_page *p, size_t band,
 {
   const struct um_model_result *r = p->run->result;
   double *ab, *vega, *error;
-  char *name;
+  const char *name;
   UM_TRY(um_output_page_column(p, &ab));
   UM_TRY(um_output_page_column(p, &vega));
   UM_TRY(um_output_page_column(p, &error));
@@ -65,7 +63,7 @@ static enum um_status magnitudes(struct um_output_page *p, size_t band,
     vega[k] = ab[k] - r->vega_ab[band];
     error[k] = 2.5 / M_LN10 * r->magnitude_error[at] / pow(10.0, -0.4 * ab[k]);
   }
-  char *column[2];
+  const char *column[2];
   UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_AB, &column[0]));
   UM_TRY(column_name(p, band, UM_LIGHTCURVE_MAG_VEGA, &column[1]));
   UM_TRY(heading(p, band, "magnitude", &name));
@@ -92,14 +90,14 @@ static enum um_status intensities(struct um_output_page *p, size_t band,
 {
   const struct um_model_result *r = p->run->result;
   double *value, *error;
-  char *name;
+  const char *name;
   UM_TRY(um_output_page_column(p, &value));
   UM_TRY(um_output_page_column(p, &error));
   for (size_t k = 0; k < r->nobs; k++) {
     value[k] = um_model_result_intensity(r, k, band, -1);
     error[k] = r->standard_error[k * r->nband + band];
   }
-  char *column;
+  const char *column;
   UM_TRY(column_name(p, band, UM_LIGHTCURVE_TOTAL, &column));
   UM_TRY(heading(p, band, "radiant intensity", &name));
   *series = (struct um_page_series){.name = p->run->model->band[band].name,
@@ -143,8 +141,8 @@ enum um_status um_output_page_light(struct um_output_page *p)
   struct um_page_series *series;
   struct um_page_panel *panel;
   if (!run->model->has_observer) return UM_OK;
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, 3 * n, sizeof *series, &series));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, 2 * n, sizeof *panel, &panel));
+  UM_TRY(UM_PAGE_ROOM(p->w, 3 * n, &series));
+  UM_TRY(UM_PAGE_ROOM(p->w, 2 * n, &panel));
   for (size_t b = 0; b < n; b++) {
     say(p, b);
     UM_TRY(intensities(p, b, &series[3 * b], &panel[npanel++]));
@@ -153,12 +151,12 @@ enum um_status um_output_page_light(struct um_output_page *p)
   um_page_section(p->page, "light", "What does the telescope see?", UM_PAGE_PLAIN);
   um_page_text(p->page, "Radiant intensity toward the observer, above the atmosphere. The band "
                         "about a curve is one standard error of the ray tracing.");
-  if (p->nshade > 0)
+  if (p->w->nshade > 0)
     um_page_text(p->page, "Shaded: the satellite is in the Earth's umbra or penumbra.");
-  um_output_page_picture(p, "lightcurve.svg");
+  um_page_writer_picture(p->w, "lightcurve.svg");
   const struct um_page_figure figure = {
       .id = "light", .title = "Light curves", .file = "lightcurve.csv"};
-  um_page_axes(p->page, &figure, &p->time, p->shade, p->nshade, panel, npanel);
+  um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, panel, npanel);
   return UM_OK;
 }
 
@@ -173,7 +171,7 @@ static enum um_status parts_of(struct um_output_page *p, size_t band, bool by_ma
                                       [UM_MECHANISM_OTHER] = "Moon"};
   const struct um_model_result *r = p->run->result;
   size_t n = by_material ? r->nmaterial : UM_MECHANISM_COUNT, used = 0;
-  char *name;
+  const char *name;
   for (size_t i = 0; i < n; i++) {
     double *value, largest = 0.0;
     UM_TRY(um_output_page_column(p, &value));
@@ -204,11 +202,11 @@ static enum um_status split(struct um_output_page *p, bool by_material,
   size_t n = by_material ? r->nmaterial : UM_MECHANISM_COUNT;
   struct um_page_series *series;
   struct um_page_panel *panel;
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n * r->nband, sizeof *series, &series));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nband, sizeof *panel, &panel));
+  UM_TRY(UM_PAGE_ROOM(p->w, n * r->nband, &series));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nband, &panel));
   for (size_t b = 0; b < r->nband; b++)
     UM_TRY(parts_of(p, b, by_material, &series[b * n], &panel[b]));
-  um_page_axes(p->page, figure, &p->time, p->shade, p->nshade, panel, r->nband);
+  um_page_axes(p->page, figure, &p->w->time, p->w->shade, p->w->nshade, panel, r->nband);
   return UM_OK;
 }
 
@@ -233,8 +231,8 @@ enum um_status um_output_page_counts(struct um_output_page *p)
   struct um_page_series *series;
   struct um_page_panel *panel;
   if (!p->run->model->has_observer || r->nsensor == 0) return UM_OK;
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nsensor, sizeof *series, &series));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, r->nsensor, sizeof *panel, &panel));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nsensor, &series));
+  UM_TRY(UM_PAGE_ROOM(p->w, r->nsensor, &panel));
   for (size_t s = 0; s < r->nsensor; s++) {
     double *value, *error;
     UM_TRY(um_output_page_column(p, &value));
@@ -250,7 +248,7 @@ enum um_status um_output_page_counts(struct um_output_page *p)
   }
   um_page_section(p->page, "counts", "What does the detector count?", UM_PAGE_PLAIN);
   um_page_text(p->page, "Expected counts of the satellite, without the sky and without noise.");
-  um_output_page_picture(p, "counts.svg");
-  um_page_axes(p->page, &figure, &p->time, p->shade, p->nshade, panel, r->nsensor);
+  um_page_writer_picture(p->w, "counts.svg");
+  um_page_axes(p->page, &figure, &p->w->time, p->w->shade, p->w->nshade, panel, r->nsensor);
   return UM_OK;
 }

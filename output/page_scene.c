@@ -13,19 +13,13 @@
 #define NUMBERS  1500000 /* of a quantity, at most: surfaces times instants */
 
 struct scene {
-  struct um_context *context;
+  struct um_page_writer *w;
   const struct um_model *model;
-  struct um_core_arena *memory; /* of everything below */
   struct um_page_scene page;
   const struct um_environment_sample *sample; /* [ntime] */
   double *direction[5];
 };
 enum { OBSERVER, SUN, NADIR, VELOCITY, UP };
-
-static enum um_status numbers(struct scene *s, size_t count, double **out)
-{
-  return um_core_arena_allocate(s->context, s->memory, count, sizeof **out, out);
-}
 
 static void put(double *out, struct um_vec3 v)
 {
@@ -38,8 +32,8 @@ static enum um_status directions(struct scene *s)
 {
   bool orbits = true, seen = true;
   double *sunlit;
-  UM_TRY(numbers(s, s->page.ntime, &sunlit));
-  for (int d = 0; d < 5; d++) UM_TRY(numbers(s, 3 * s->page.ntime, &s->direction[d]));
+  UM_TRY(UM_PAGE_ROOM(s->w, s->page.ntime, &sunlit));
+  for (int d = 0; d < 5; d++) UM_TRY(UM_PAGE_ROOM(s->w, 3 * s->page.ntime, &s->direction[d]));
   for (size_t i = 0; i < s->page.ntime; i++) {
     const struct um_environment_sample *now = &s->sample[i];
     orbits = orbits && um_vec3_norm(now->r) > 0.0 && um_vec3_norm(now->v) > 0.0;
@@ -69,8 +63,8 @@ static enum um_status names(struct scene *s)
   size_t npart = um_geometry_part_count(geometry), nmaterial = um_geometry_material_count(geometry);
   const char **name;
   uint32_t *index;
-  UM_TRY(um_core_arena_allocate(s->context, s->memory, npart + nmaterial, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(s->context, s->memory, 2 * mesh->nsurface, sizeof *index, &index));
+  UM_TRY(UM_PAGE_ROOM(s->w, npart + nmaterial, &name));
+  UM_TRY(UM_PAGE_ROOM(s->w, 2 * mesh->nsurface, &index));
   for (size_t i = 0; i < npart; i++) name[i] = um_geometry_part_name(geometry, i);
   for (size_t i = 0; i < nmaterial; i++) name[npart + i] = um_geometry_material_name(geometry, i);
   for (size_t i = 0; i < mesh->nsurface; i++) {
@@ -93,7 +87,7 @@ static enum um_status pose_at(struct scene *s, size_t i, double *angle,
   const struct um_geometry *geometry = s->model->geometry;
   const struct um_environment_sample *now = &s->sample[i];
   um_geometry_joint_angles(geometry, um_quat_apply(now->q, now->sun), angle);
-  return um_geometry_pose_create(s->context, geometry, angle, out);
+  return um_geometry_pose_create(s->w->context, geometry, angle, out);
 }
 
 /* Triangles of both sides, as they stand at the first instant; a back is wound the other way. */
@@ -102,9 +96,8 @@ static enum um_status mesh_of(struct scene *s, const struct um_geometry_pose *po
   const struct um_geometry_mesh *mesh = um_geometry_mesh(s->model->geometry);
   double *vertex;
   uint32_t *corner, *of, *body;
-  UM_TRY(numbers(s, 3 * mesh->nvertex, &vertex));
-  UM_TRY(
-      um_core_arena_allocate(s->context, s->memory, 5 * mesh->nsurface, sizeof *corner, &corner));
+  UM_TRY(UM_PAGE_ROOM(s->w, 3 * mesh->nvertex, &vertex));
+  UM_TRY(UM_PAGE_ROOM(s->w, 5 * mesh->nsurface, &corner));
   of = corner + 3 * mesh->nsurface;
   body = of + mesh->nsurface;
   for (size_t i = 0; i < mesh->nvertex; i++) put(vertex + 3 * i, pose->vertex[i]);
@@ -139,17 +132,17 @@ static enum um_status motions(struct scene *s)
   enum um_status status;
   const struct um_geometry *geometry = s->model->geometry;
   size_t npart = um_geometry_part_count(geometry);
-  struct um_context *context = s->context;
+  struct um_context *context = s->w->context;
   struct um_geometry_pose *first = NULL, *now = NULL;
   struct um_page_body *bodies;
   double *angle, *pose;
   size_t *vertex;
   struct um_quat *q0, *q;
-  UM_TRY(numbers(s, um_geometry_joint_count(geometry), &angle));
-  UM_TRY(numbers(s, 7 * npart * s->page.ntime, &pose));
-  UM_TRY(um_core_arena_allocate(context, s->memory, npart, sizeof *vertex, &vertex));
-  UM_TRY(um_core_arena_allocate(context, s->memory, 2 * npart, sizeof *q0, &q0));
-  UM_TRY(um_core_arena_allocate(context, s->memory, npart, sizeof *bodies, &bodies));
+  UM_TRY(UM_PAGE_ROOM(s->w, um_geometry_joint_count(geometry), &angle));
+  UM_TRY(UM_PAGE_ROOM(s->w, 7 * npart * s->page.ntime, &pose));
+  UM_TRY(UM_PAGE_ROOM(s->w, npart, &vertex));
+  UM_TRY(UM_PAGE_ROOM(s->w, 2 * npart, &q0));
+  UM_TRY(UM_PAGE_ROOM(s->w, npart, &bodies));
   q = q0 + npart;
   first_vertices(um_geometry_mesh(geometry), vertex);
   UM_CHECK(pose_at(s, 0, angle, &first));
@@ -186,12 +179,11 @@ done:
   return status;
 }
 
-enum um_status um_output_page_put_scene(struct um_context *context, const struct um_model *model,
-                                        struct um_core_arena *memory,
+enum um_status um_output_page_put_scene(struct um_page_writer *w, const struct um_model *model,
                                         const struct um_output_scene *scene,
-                                        const struct um_page_figure *figure, struct um_page *page)
+                                        const struct um_page_figure *figure)
 {
-  struct scene s = {.context = context, .model = model, .memory = memory};
+  struct scene s = {.w = w, .model = model};
   s.page.ntime = scene->ntime;
   s.page.time = scene->time;
   s.sample = scene->sample;
@@ -200,7 +192,7 @@ enum um_status um_output_page_put_scene(struct um_context *context, const struct
   UM_TRY(names(&s));
   UM_TRY(directions(&s));
   UM_TRY(motions(&s));
-  um_page_scene(page, figure, &s.page);
+  um_page_scene(w->page, figure, &s.page);
   return UM_OK;
 }
 
@@ -216,9 +208,9 @@ static enum um_status choose(struct um_output_page *p, struct um_output_scene *s
   double *time;
   struct um_environment_sample *sample;
   if (n > 1 && n * r->nsurface > NUMBERS) n = NUMBERS / r->nsurface > 1 ? NUMBERS / r->nsurface : 1;
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof **observation, observation));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof *time, &time));
-  UM_TRY(um_core_arena_allocate(p->context, &p->memory, n, sizeof *sample, &sample));
+  UM_TRY(UM_PAGE_ROOM(p->w, n, observation));
+  UM_TRY(UM_PAGE_ROOM(p->w, n, &time));
+  UM_TRY(UM_PAGE_ROOM(p->w, n, &sample));
   for (size_t i = 0; i < n; i++) {
     size_t k = n > 1 ? i * (r->nobs - 1) / (n - 1) : 0;
     (*observation)[i] = k;
@@ -232,16 +224,16 @@ static enum um_status choose(struct um_output_page *p, struct um_output_scene *s
 static enum um_status quantities(struct um_output_page *p, const size_t *observation,
                                  struct um_output_scene *scene)
 {
-  struct um_context *context = p->context;
+  struct um_context *context = p->w->context;
   const struct um_output_run *run = p->run;
   const struct um_model_result *r = run->result;
   size_t n = r->nsurface, ntime = scene->ntime, nband = run->model->has_observer ? r->nband : 0;
   struct um_page_quantity *quantity;
   double *temperature, *radiance, *row;
-  UM_TRY(um_core_arena_allocate(context, &p->memory, 1 + nband, sizeof *quantity, &quantity));
-  UM_TRY(um_core_arena_allocate(context, &p->memory, ntime * n, sizeof(double), &temperature));
-  UM_TRY(um_core_arena_allocate(context, &p->memory, nband * ntime * n, sizeof(double), &radiance));
-  UM_TRY(um_core_arena_allocate(context, &p->memory, nband * n, sizeof(double), &row));
+  UM_TRY(UM_PAGE_ROOM(p->w, 1 + nband, &quantity));
+  UM_TRY(UM_PAGE_ROOM(p->w, ntime * n, &temperature));
+  UM_TRY(UM_PAGE_ROOM(p->w, nband * ntime * n, &radiance));
+  UM_TRY(UM_PAGE_ROOM(p->w, nband * n, &row));
   um_core_progress_begin(context, "how bright surfaces are", ntime);
   enum um_status status = UM_OK;
   for (size_t i = 0; status == UM_OK && i < ntime; i++) {
@@ -282,6 +274,6 @@ enum um_status um_output_page_scene(struct um_output_page *p)
   UM_TRY(quantities(p, observation, &scene));
   um_page_section(p->page, "satellite", "How does it look, and how warm is each surface?",
                   UM_PAGE_PLAIN);
-  um_output_page_picture(p, "satellite.svg");
-  return um_output_page_put_scene(p->context, p->run->model, &p->memory, &scene, &figure, p->page);
+  um_page_writer_picture(p->w, "satellite.svg");
+  return um_output_page_put_scene(p->w, p->run->model, &scene, &figure);
 }

@@ -2,9 +2,7 @@
 #ifndef UMBRA_OUTPUT_PAGE_SCENE_H
 #define UMBRA_OUTPUT_PAGE_SCENE_H
 
-#include "base/core/arena.h"
-#include "base/core/file.h"
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "model/build/model.h"
 
 struct um_output_scene {
@@ -15,12 +13,10 @@ struct um_output_scene {
   size_t nquantity;
 };
 /* Put the surfaces of a model on a page, with its moving parts and with the directions of the
- * samples, as far as they have them. memory: of what the page needs until it is written.
- * UM_ERR_MEMORY. */
-enum um_status um_output_page_put_scene(struct um_context *context, const struct um_model *model,
-                                        struct um_core_arena *memory,
+ * samples, as far as they have them. UM_ERR_MEMORY. */
+enum um_status um_output_page_put_scene(struct um_page_writer *w, const struct um_model *model,
                                         const struct um_output_scene *scene,
-                                        const struct um_page_figure *figure, struct um_page *page);
+                                        const struct um_page_figure *figure);
 
 /* report.html of a scenario before anything is solved: the satellite as it moves through the
  * scenario's window, parts, materials. Into a folder in the making. Errors of

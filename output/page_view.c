@@ -9,10 +9,9 @@
 #define INSTANTS 60
 
 struct view {
-  struct um_context *context;
-  const struct um_model *model;
-  struct um_core_arena memory;
+  struct um_page_writer *w;
   struct um_page *page;
+  const struct um_model *model;
 };
 
 /* Even instants over the window, as the observer sees them where there is one. */
@@ -23,8 +22,8 @@ static enum um_status sample_all(struct view *v, struct um_output_scene *scene)
   struct um_environment_sample *sample;
   struct um_orbit_look look;
   double *time;
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *sample, &sample));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *time, &time));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &sample));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &time));
   for (size_t i = 0; i < n; i++) {
     double t = window->start;
     if (n > 1) t += (window->stop - window->start) * (double)i / (double)(n - 1);
@@ -33,9 +32,9 @@ static enum um_status sample_all(struct view *v, struct um_output_scene *scene)
       sample[i].q = (struct um_quat){1.0, 0.0, 0.0, 0.0};
       sample[i].sun = um_vec3(1.0, 0.0, 0.0);
     } else if (v->model->has_observer) {
-      UM_TRY(um_model_sample_seen(v->context, v->model, t, &sample[i], &look));
+      UM_TRY(um_model_sample_seen(v->w->context, v->model, t, &sample[i], &look));
     } else {
-      UM_TRY(um_model_sample_at(v->context, v->model, t, &sample[i]));
+      UM_TRY(um_model_sample_at(v->w->context, v->model, t, &sample[i]));
     }
   }
   *scene = (struct um_output_scene){.ntime = n, .time = time, .sample = sample};
@@ -49,11 +48,11 @@ static enum um_status parts(struct view *v)
   size_t n = um_geometry_part_count(g);
   const char **name, **closed;
   double *facets, *area, *volume;
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *closed, &closed));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *facets, &facets));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *area, &area));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *volume, &volume));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &name));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &closed));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &facets));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &area));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &volume));
   for (size_t i = 0; i < n; i++) {
     struct um_geometry_report r = um_geometry_report(g, i);
     name[i] = r.part;
@@ -78,10 +77,10 @@ static enum um_status materials(struct view *v)
   size_t n = um_geometry_material_count(g);
   const char **name;
   double *absorptance, *emittance, *area;
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *area, &area));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *absorptance, &absorptance));
-  UM_TRY(um_core_arena_allocate(v->context, &v->memory, n, sizeof *emittance, &emittance));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &name));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &area));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &absorptance));
+  UM_TRY(UM_PAGE_ROOM(v->w, n, &emittance));
   for (size_t i = 0; i < n; i++) {
     name[i] = um_geometry_material_name(g, i);
     area[i] = um_geometry_material_area(g, i);
@@ -96,8 +95,9 @@ static enum um_status materials(struct view *v)
   return UM_OK;
 }
 
-static enum um_status sections(struct view *v)
+static enum um_status fill(struct um_page_writer *w, const void *of)
 {
+  struct view whole = {.w = w, .page = w->page, .model = of}, *v = &whole;
   static const struct um_page_figure figure = {.id = "satellite", .title = "The satellite"};
   struct um_output_scene scene;
   if (v->model->scenario->summary != NULL) um_page_lead(v->page, "%s", v->model->scenario->summary);
@@ -107,7 +107,7 @@ static enum um_status sections(struct view *v)
                um_thermal_network_nodes(v->model->body->network), v->model->nband);
   UM_TRY(sample_all(v, &scene));
   um_page_section(v->page, "satellite", "How does it look, and how does it turn?", UM_PAGE_PLAIN);
-  UM_TRY(um_output_page_put_scene(v->context, v->model, &v->memory, &scene, &figure, v->page));
+  UM_TRY(um_output_page_put_scene(v->w, v->model, &scene, &figure));
   um_page_section(v->page, "made-of", "What is it made of?", UM_PAGE_PLAIN);
   UM_TRY(parts(v));
   return materials(v);
@@ -116,14 +116,7 @@ static enum um_status sections(struct view *v)
 enum um_status um_output_write_view(struct um_context *context, const struct um_model *model,
                                     const char *command, struct um_core_folder *folder)
 {
-  enum um_status status;
-  struct view v = {.context = context, .model = model};
-  const struct um_page_head head = {command, "scenario", model->scenario->name, NULL};
-  UM_CHECK(um_page_create(context, &head, &v.page));
-  UM_CHECK(sections(&v));
-  UM_CHECK(um_page_write_report(context, v.page, folder));
-done:
-  um_page_destroy(context, &v.page);
-  um_core_arena_release(context, &v.memory);
-  return status;
+  const struct um_page_head head = {
+      .command = command, .kind = "scenario", .title = model->scenario->name};
+  return um_page_report(context, &head, fill, model, folder);
 }

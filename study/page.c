@@ -5,48 +5,25 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/core/arena.h"
-#include "base/page/page.h"
-#include "base/plot/plot.h"
 #include "orbit/time.h"
 #include "study/per_point.h"
 #include "study/plot_impl.h"
 #include "study/rule.h"
 
 struct work {
-  struct um_context *context;
+  struct um_page_writer *p;
+  struct um_page *page; /* the writer's */
   const struct um_study_result *r;
   const struct um_study_statistics *l;
-  struct um_page *page;
-  struct um_core_arena memory;
-  struct um_page_axis time;
-  struct um_page_shade *shade;
-  size_t nshade;
 };
-
-static enum um_status column(struct work *w, size_t n, double **out)
-{
-  return um_core_arena_allocate(w->context, &w->memory, n, sizeof **out, out);
-}
-
-static enum um_status words(struct work *w, size_t size, char **out)
-{
-  return um_core_arena_allocate(w->context, &w->memory, size, 1, out);
-}
 
 static enum um_status times(struct work *w)
 {
   const struct um_study_result *r = w->r;
-  struct um_plot_shadow shadow;
   double *t;
-  UM_TRY(column(w, r->ntime, &t));
+  UM_TRY(UM_PAGE_ROOM(w->p, r->ntime, &t));
   for (size_t k = 0; k < r->ntime; k++) t[k] = um_orbit_time_unix(r->time[k]);
-  w->time = (struct um_page_axis){"time", "UTC", UM_PAGE_TIME, t, r->ntime};
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, r->ntime, sizeof *w->shade, &w->shade));
-  for (size_t k = 0; r->sunlit != NULL && um_plot_shadow_next(r->ntime, t, r->sunlit, &k, &shadow);)
-    w->shade[w->nshade++] =
-        (struct um_page_shade){shadow.from, shadow.to, shadow.umbra ? "umbra" : "penumbra"};
-  return UM_OK;
+  return um_page_writer_times(w->p, r->ntime, t, r->sunlit);
 }
 
 /* A parameter's index of each instant, none where nothing varies it. */
@@ -57,7 +34,7 @@ static enum um_status shares(struct work *w, const struct um_study_quantity *q,
   double quiet = um_study_quiet(w->l, q);
   for (size_t i = 0; i < r->nparameter; i++) {
     double *share;
-    UM_TRY(column(w, q->count, &share));
+    UM_TRY(UM_PAGE_ROOM(w->p, q->count, &share));
     for (size_t k = 0; k < q->count; k++) {
       double value = w->l->first[i * r->nvalue + q->first + k];
       bool varies = w->l->deviation[q->first + k] > quiet;
@@ -76,9 +53,8 @@ static enum um_status curve(struct work *w, size_t index)
   const struct um_study_quantity *q = &r->quantity[index];
   const double *quantile[UM_STUDY_QUANTILES];
   struct um_page_series spread[3], *share;
-  char *id;
-  UM_TRY(words(w, 40, &id));
-  snprintf(id, 40, "curve-%zu", index + 1);
+  const char *id;
+  UM_TRY(um_page_words(w->p, &id, "curve-%zu", index + 1));
   for (size_t i = 0; i < UM_STUDY_QUANTILES; i++)
     quantile[i] = w->l->quantile + i * r->nvalue + q->first;
   spread[0] = (struct um_page_series){.name = "median, 5 to 95 % of the points",
@@ -94,7 +70,7 @@ static enum um_status curve(struct work *w, size_t index)
   if (r->nominal != NULL)
     spread[2] = (struct um_page_series){
         .name = "the scenario as it stands", .role = "before", .value = r->nominal + q->first};
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, r->nparameter, sizeof *share, &share));
+  UM_TRY(UM_PAGE_ROOM(w->p, r->nparameter, &share));
   bool known = w->l->first != NULL && !q->withheld;
   if (known) UM_TRY(shares(w, q, share));
   const struct um_page_panel panel[] = {
@@ -109,7 +85,7 @@ static enum um_status curve(struct work *w, size_t index)
        .series = share,
        .nseries = r->nparameter}};
   const struct um_page_figure figure = {.id = id, .title = q->name};
-  um_page_axes(w->page, &figure, &w->time, w->shade, w->nshade, panel, known ? 2 : 1);
+  um_page_axes(w->page, &figure, &w->p->time, w->p->shade, w->p->nshade, panel, known ? 2 : 1);
   return UM_OK;
 }
 
@@ -124,9 +100,9 @@ static enum um_status curves(struct work *w)
   for (size_t q = 0; q < r->nquantity && w->l->first != NULL; q++) {
     char *sentence = NULL;
     if (!um_study_is_curve(r, &r->quantity[q])) continue;
-    UM_TRY(um_study_sentence(w->context, r, w->l, &r->quantity[q], &sentence));
+    UM_TRY(um_study_sentence(w->p->context, r, w->l, &r->quantity[q], &sentence));
     um_page_text(w->page, "%s", sentence);
-    um_core_free(w->context, sentence);
+    um_core_free(w->p->context, sentence);
   }
   um_page_text(w->page, "Shares are %s.", um_study_indices_words(w->l->indices));
   for (size_t q = 0; q < r->nquantity; q++)
@@ -144,15 +120,15 @@ static enum um_status summary(struct work *w)
   size_t most = r->nquantity * UM_STUDY_STATISTICS, n = 0;
   const char **name, **what, **unit;
   double *value[COLUMNS];
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, most, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, most, sizeof *what, &what));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, most, sizeof *unit, &unit));
-  for (int i = 0; i < COLUMNS; i++) UM_TRY(column(w, most, &value[i]));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &name));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &what));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &unit));
+  for (int i = 0; i < COLUMNS; i++) UM_TRY(UM_PAGE_ROOM(w->p, most, &value[i]));
   for (size_t q = 0; q < r->nquantity; q++)
     for (enum um_study_statistic s = 0; s < (r->quantity[q].count > 1 ? UM_STUDY_STATISTICS : 1);
          s++) {
       struct um_study_summary spread;
-      UM_TRY(um_study_summarise(w->context, r, &r->quantity[q], s, NULL, &spread));
+      UM_TRY(um_study_summarise(w->p->context, r, &r->quantity[q], s, NULL, &spread));
       name[n] = r->quantity[q].name;
       what[n] = um_study_statistic_word(&r->quantity[q], s);
       unit[n] = r->quantity[q].unit;
@@ -187,16 +163,15 @@ static enum um_status against(struct work *w, size_t parameter)
   struct um_page_series *series;
   struct um_page_panel *panel;
   double *x;
-  char *id;
+  const char *id;
   size_t n = 0;
-  UM_TRY(column(w, r->npoint, &x));
-  UM_TRY(words(w, 40, &id));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, r->nquantity, sizeof *series, &series));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, r->nquantity, sizeof *panel, &panel));
+  UM_TRY(UM_PAGE_ROOM(w->p, r->npoint, &x));
+  UM_TRY(UM_PAGE_ROOM(w->p, r->nquantity, &series));
+  UM_TRY(UM_PAGE_ROOM(w->p, r->nquantity, &panel));
   for (size_t j = 0; j < r->npoint; j++) x[j] = r->parameter[j * r->nparameter + parameter];
   for (size_t q = 0; q < r->nquantity; q++) {
     double *value;
-    UM_TRY(column(w, r->npoint, &value));
+    UM_TRY(UM_PAGE_ROOM(w->p, r->npoint, &value));
     um_study_per_point(r, &r->quantity[q], UM_STUDY_MEAN, value);
     series[n] =
         (struct um_page_series){.name = um_study_statistic_word(&r->quantity[q], UM_STUDY_MEAN),
@@ -211,7 +186,7 @@ static enum um_status against(struct work *w, size_t parameter)
         .nseries = 1};
     n++;
   }
-  snprintf(id, 40, "against-%zu", parameter + 1);
+  UM_TRY(um_page_words(w->p, &id, "against-%zu", parameter + 1));
   const char *unit = r->parameter_unit[parameter];
   const struct um_page_axis axis = {r->parameter_name[parameter], unit[0] != '\0' ? unit : "1",
                                     UM_PAGE_LINEAR, x, r->npoint};
@@ -220,9 +195,12 @@ static enum um_status against(struct work *w, size_t parameter)
   return UM_OK;
 }
 
-static enum um_status sections(struct work *w)
+static enum um_status fill(struct um_page_writer *p, const void *of)
 {
+  struct work whole = *(const struct work *)of, *w = &whole;
   const struct um_study_result *r = w->r;
+  w->p = p;
+  w->page = p->page;
   UM_TRY(times(w));
   um_page_lead(w->page, "%zu points of %s, %zu of them solved.", r->npoint, r->scenario, r->exact);
   if (r->falls_short != NULL) um_page_lead(w->page, "Warning: %s", r->falls_short);
@@ -234,7 +212,7 @@ static enum um_status sections(struct work *w)
                  none ? "" : r->parameter_unit[i]);
   }
   UM_TRY(curves(w));
-  UM_TRY(um_study_page_surfaces(w->context, r, w->l, &w->memory, w->page));
+  UM_TRY(um_study_page_surfaces(w->p, r, w->l));
   UM_TRY(summary(w));
   um_page_section(w->page, "points", "How does each value depend on each parameter?",
                   UM_PAGE_PLAIN);
@@ -247,14 +225,8 @@ enum um_status um_study_write_page(struct um_context *context, const struct um_s
                                    const struct um_study_statistics *statistics,
                                    struct um_core_folder *folder)
 {
-  enum um_status status;
-  struct work w = {.context = context, .r = result, .l = statistics};
-  const struct um_page_head head = {"umbra study", "study", result->name, NULL};
-  UM_CHECK(um_page_create(context, &head, &w.page));
-  UM_CHECK(sections(&w));
-  UM_CHECK(um_page_write_report(context, w.page, folder));
-done:
-  um_page_destroy(context, &w.page);
-  um_core_arena_release(context, &w.memory);
-  return status;
+  const struct work of = {.r = result, .l = statistics};
+  const struct um_page_head head = {
+      .command = "umbra study", .kind = "study", .title = result->name};
+  return um_page_report(context, &head, fill, &of, folder);
 }

@@ -2,8 +2,7 @@
 #ifndef UMBRA_STUDY_PLOT_IMPL_H
 #define UMBRA_STUDY_PLOT_IMPL_H
 
-#include "base/core/arena.h"
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "base/plot/plot.h"
 #include "study/plot.h"
 
@@ -38,10 +37,9 @@ enum um_status um_study_plot_surfaces(struct um_context *context, struct um_plot
                                       struct um_core_folder *folder);
 
 /* The same on a page, of a surrogate. */
-enum um_status um_study_page_surfaces(struct um_context *context,
+enum um_status um_study_page_surfaces(struct um_page_writer *w,
                                       const struct um_study_result *result,
-                                      const struct um_study_statistics *statistics,
-                                      struct um_core_arena *memory, struct um_page *page);
+                                      const struct um_study_statistics *statistics);
 
 /* Writes scatter.csv, and pictures of it; weight NULL: none. */
 enum um_status um_study_plot_scatter(struct um_context *context, struct um_plot *plot,

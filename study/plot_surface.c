@@ -235,16 +235,15 @@ done:
 }
 
 /* A grid as a map; places of its axes are those of its first row and column. */
-static enum um_status put_map(struct um_context *context, const struct um_study_result *r,
-                              const struct surface *s, size_t index, struct um_core_arena *memory,
-                              struct um_page *page)
+static enum um_status put_map(struct um_page_writer *w, const struct um_study_result *r,
+                              const struct surface *s, size_t index)
 {
   double *x, *y, *z;
   char id[40], title[300];
   const char *unit[2] = {r->parameter_unit[s->x], r->parameter_unit[s->y]};
-  UM_TRY(um_core_arena_allocate(context, memory, GRID, sizeof *x, &x));
-  UM_TRY(um_core_arena_allocate(context, memory, GRID, sizeof *y, &y));
-  UM_TRY(um_core_arena_allocate(context, memory, s->count, sizeof *z, &z));
+  UM_TRY(UM_PAGE_ROOM(w, GRID, &x));
+  UM_TRY(UM_PAGE_ROOM(w, GRID, &y));
+  UM_TRY(UM_PAGE_ROOM(w, s->count, &z));
   for (size_t i = 0; i < GRID; i++) {
     x[i] = s->row[3 * i];
     y[i] = s->row[3 * i * GRID + 1];
@@ -260,21 +259,20 @@ static enum um_status put_map(struct um_context *context, const struct um_study_
                                       UM_PAGE_LINEAR, x, GRID};
   const struct um_page_axis up = {r->parameter_name[s->y], unit[1][0] != '\0' ? unit[1] : "1",
                                   UM_PAGE_LINEAR, y, GRID};
-  um_page_map(page, &figure, &across, &up, s->quantity->name, s->quantity->unit, z, false);
+  um_page_map(w->page, &figure, &across, &up, s->quantity->name, s->quantity->unit, z, false);
   return UM_OK;
 }
 
-enum um_status um_study_page_surfaces(struct um_context *context,
+enum um_status um_study_page_surfaces(struct um_page_writer *w,
                                       const struct um_study_result *result,
-                                      const struct um_study_statistics *statistics,
-                                      struct um_core_arena *memory, struct um_page *page)
+                                      const struct um_study_statistics *statistics)
 {
   struct surface *s;
   size_t n = 0;
-  UM_TRY(find(context, result, statistics, memory, &s, &n));
+  UM_TRY(find(w->context, result, statistics, &w->memory, &s, &n));
   if (n == 0 || !s[0].grid) return UM_OK; /* points alone are shown one by one */
-  um_page_section(page, "surfaces", "How do the two strongest parameters act together?",
+  um_page_section(w->page, "surfaces", "How do the two strongest parameters act together?",
                   UM_PAGE_PLAIN);
-  for (size_t i = 0; i < n; i++) UM_TRY(put_map(context, result, &s[i], i, memory, page));
+  for (size_t i = 0; i < n; i++) UM_TRY(put_map(w, result, &s[i], i));
   return UM_OK;
 }

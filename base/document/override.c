@@ -293,17 +293,51 @@ void um_document_place(struct um_document *document, const char *key, char *out,
   if (w.rest[0] != '\0') snprintf(out + used, size - used, ".%s", w.rest);
 }
 
-double um_document_number(struct um_document *document, const char *key)
+/* NaN: it is none. */
+static double number_of(const struct um_node *node)
 {
-  struct walk w = {document, key, key, true};
-  struct um_node *node = NULL;
   char *end;
-  if (find_target(&w, &node) != UM_OK) {
-    um_core_message_clear(document->context);
-    return NAN;
-  }
-  if (node == NULL || node->kind != UM_NODE_SCALAR || !node->plain || w.rest[0] != '\0') return NAN;
+  if (!node->plain) return NAN;
   if (node->typed) return node->number;
   double value = strtod(node->text, &end);
   return end == node->text || *end != '\0' ? (double)NAN : value;
+}
+
+static enum um_status names_of(struct um_document *document, const struct um_node *node,
+                               const char *const **out)
+{
+  const char **name;
+  size_t n = 0;
+  UM_TRY(um_document_allocate(document->context, document, node->count + 1, sizeof *name, &name));
+  for (const struct um_node *child = node->first; child != NULL; child = child->next)
+    name[n++] = child->key;
+  *out = name;
+  return UM_OK;
+}
+
+enum um_status um_document_value(struct um_document *document, const char *key,
+                                 struct um_document_value *out)
+{
+  struct walk w = {document, key, key, true};
+  struct um_node *node = NULL;
+  *out = (struct um_document_value){.kind = UM_DOCUMENT_NOTHING, .number = NAN};
+  UM_TRY(find_target(&w, &node));
+  if (node == NULL || node->kind == UM_NODE_NULL || w.rest[0] != '\0') return UM_OK;
+  if (node->kind == UM_NODE_SCALAR) {
+    out->number = number_of(node);
+    out->kind = isnan(out->number) ? UM_DOCUMENT_TEXT : UM_DOCUMENT_NUMBER;
+    out->text = node->text;
+    out->quoted = !node->plain;
+    return UM_OK;
+  }
+  out->kind = node->kind == UM_NODE_LIST ? UM_DOCUMENT_LIST : UM_DOCUMENT_GROUP;
+  out->count = node->count;
+  return node->kind == UM_NODE_MAP ? names_of(document, node, &out->name) : UM_OK;
+}
+
+double um_document_number(struct um_document *document, const char *key)
+{
+  struct um_document_value value;
+  if (um_document_value(document, key, &value) != UM_OK) um_core_message_clear(document->context);
+  return value.number;
 }

@@ -154,6 +154,26 @@ enum um_status um_document_move(struct um_context *context, struct um_document *
 /* The number at a key path (that of an override), after overrides; NaN where the document has none
  * there. */
 double um_document_number(struct um_document *document, const char *key);
+/* What stands at a key path, after overrides. Texts are the document's. */
+enum um_document_value_kind {
+  UM_DOCUMENT_NOTHING,
+  UM_DOCUMENT_NUMBER,
+  UM_DOCUMENT_TEXT, /* words without quotes, too: true, 2016-09-06T18:07:00Z */
+  UM_DOCUMENT_LIST, /* elements by position, key.0 */
+  UM_DOCUMENT_GROUP /* elements by name */
+};
+struct um_document_value {
+  enum um_document_value_kind kind;
+  bool quoted;             /* of a text */
+  double number;           /* of a number; else NaN */
+  const char *text;        /* of a number or text, as it is written; else NULL */
+  size_t count;            /* of elements */
+  const char *const *name; /* [count] of a group; else NULL */
+};
+/* UM_ERR_INPUT: a path that can lead nowhere, as into an element that a list has not;
+ * UM_ERR_MEMORY. */
+enum um_status um_document_value(struct um_document *document, const char *key,
+                                 struct um_document_value *out);
 /* Do both documents say the same at a path of keys alone ("environment.earth"), number for number?
  * Absent in both counts as the same. */
 bool um_document_same(const struct um_document *a, const struct um_document *b, const char *path);

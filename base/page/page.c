@@ -34,7 +34,8 @@ enum um_status um_page_create(struct um_context *context, const struct um_page_h
   UM_CHECK(um_core_allocate(context, 1, sizeof *page, &page));
   UM_CHECK(um_core_strdup(context, head->command, &page->command));
   UM_CHECK(um_core_strdup(context, head->kind, &page->kind));
-  UM_CHECK(um_core_strdup(context, head->title, &page->title));
+  UM_CHECK(um_core_asprintf(context, &page->title, "%s%s", head->title,
+                            head->about != NULL ? head->about : ""));
   if (head->token != NULL) UM_CHECK(um_core_strdup(context, head->token, &page->token));
   if (!texts_open(page)) UM_CHECK(um_core_fail(context, UM_ERR_MEMORY, "a page: out of memory"));
   *out = page;

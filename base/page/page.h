@@ -21,6 +21,7 @@ struct um_page;
 struct um_page_head {
   const char *command;      /* as typed */
   const char *kind, *title; /* "run"; of the page */
+  const char *about;        /* what the title ends in, ": what moves it"; NULL: nothing */
   const char *token;        /* of umbra serve, which brings the page; NULL: it is a file */
 };
 /* The caller destroys. UM_ERR_MEMORY. */
@@ -107,6 +108,19 @@ struct um_page_bar {
 };
 void um_page_bars(struct um_page *page, const struct um_page_figure *figure,
                   const struct um_page_axis *value, const struct um_page_bar *bar, size_t nbar);
+
+/* What a thing reaches, beside what it may. Ranges of one name are those of one row's cases. */
+struct um_page_range {
+  const char *name, *of;   /* "battery", "hot" */
+  double low, high;        /* what it reaches */
+  double error;            /* how far these are uncertain to both sides; NaN: not known */
+  double minimum, maximum; /* what it may; NaN: no bound */
+  const char *text;        /* "kept by 3.20 K"; NULL: none */
+  bool exceeded;
+};
+void um_page_ranges(struct um_page *page, const struct um_page_figure *figure,
+                    const struct um_page_axis *value, const struct um_page_range *range,
+                    size_t nrange);
 
 /* z[y][x] */
 void um_page_map(struct um_page *page, const struct um_page_figure *figure,

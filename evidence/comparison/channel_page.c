@@ -5,14 +5,12 @@
 
 #include "evidence/comparison/figures.h"
 
-enum um_status um_compare_page_put_channel(struct um_context *context, struct um_page *page,
-                                           struct um_core_arena *memory,
-                                           const struct um_compare_page_channel *c, size_t number,
-                                           const struct um_page_shade *shade, size_t nshade)
+enum um_status um_compare_page_put_channel(struct um_page_writer *w,
+                                           const struct um_compare_page_channel *c, size_t number)
 {
   struct um_page_series value[1 + UM_COMPARE_PAGE_MODELS], residual[UM_COMPARE_PAGE_MODELS];
   char *words, id[40];
-  UM_TRY(um_core_arena_allocate(context, memory, 200, 1, &words));
+  UM_TRY(UM_PAGE_ROOM(w, 200, &words));
   um_compare_channel_words(c->channel, words, 200);
   snprintf(id, sizeof id, "channel-%zu", number + 1);
   value[0] = (struct um_page_series){.name = "measured",
@@ -40,7 +38,7 @@ enum um_status um_compare_page_put_channel(struct um_context *context, struct um
        .nseries = c->nmodel}};
   const struct um_page_axis time = {"time", "UTC", UM_PAGE_TIME, c->time, c->count};
   const struct um_page_figure figure = {.id = id, .title = words};
-  um_page_axes(page, &figure, &time, shade, nshade, panel, 2);
+  um_page_axes(w->page, &figure, &time, w->shade, w->nshade, panel, 2);
   return UM_OK;
 }
 

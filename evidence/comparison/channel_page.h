@@ -2,8 +2,7 @@
 #ifndef UMBRA_COMPARE_CHANNEL_PAGE_H
 #define UMBRA_COMPARE_CHANNEL_PAGE_H
 
-#include "base/core/arena.h"
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "evidence/measurements/set.h"
 
 #define UM_COMPARE_PAGE_MODELS 2
@@ -25,11 +24,9 @@ struct um_compare_page_channel {
 };
 /* A figure of two panels. id: of the channel's number, so that a page may have many. UM_ERR_MEMORY.
  */
-enum um_status um_compare_page_put_channel(struct um_context *context, struct um_page *page,
-                                           struct um_core_arena *memory,
+enum um_status um_compare_page_put_channel(struct um_page_writer *w,
                                            const struct um_compare_page_channel *channel,
-                                           size_t number, const struct um_page_shade *shade,
-                                           size_t nshade);
+                                           size_t number);
 /* "chi-square 249.1 of 222 observations less what was fitted: 1.12 each, where noise alone leaves
  * 1", as the text of a page. Does not fail. */
 void um_compare_page_put_chi2(struct um_page *page, const char *of, double chi2, double dof);

@@ -13,23 +13,15 @@
 #define STRONG 1e-2 /* p of a correlation that is shown */
 
 struct work {
-  struct um_context *context;
+  struct um_page_writer *p;
+  struct um_page *page; /* the writer's */
   const struct um_compare_comparison *c;
-  struct um_page *page;
-  struct um_core_arena memory;
   struct um_compare_page_channel *channel; /* [nchannel] */
-  struct um_page_shade *shade;
-  size_t nshade;
 };
 
 static const struct um_compare_channel *channel_of(const struct work *w, size_t i)
 {
   return &w->c->run.plan->measurements->channel[w->c->channel[i].channel];
-}
-
-static enum um_status column(struct work *w, size_t n, double **out)
-{
-  return um_core_arena_allocate(w->context, &w->memory, n, sizeof **out, out);
 }
 
 static enum um_status read_channel(struct work *w, size_t i)
@@ -39,11 +31,11 @@ static enum um_status read_channel(struct work *w, size_t i)
   size_t n = channel->count;
   bool weighted = !isnan(channel->all.chi2);
   double *time, *value, *sigma, *model, *residual;
-  UM_TRY(column(w, n, &time));
-  UM_TRY(column(w, n, &value));
-  UM_TRY(column(w, n, &sigma));
-  UM_TRY(column(w, n, &model));
-  UM_TRY(column(w, n, &residual));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &time));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &value));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &sigma));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &model));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &residual));
   for (size_t k = 0; k < n; k++) {
     size_t row = channel->row[k];
     const struct um_compare_residual *r = &w->c->residual[row];
@@ -73,14 +65,14 @@ static enum um_status table_metrics(struct work *w)
   size_t n = w->c->nchannel;
   const char **name, **unit;
   double *value[COLUMNS];
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, n, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, n, sizeof *unit, &unit));
-  for (int i = 0; i < COLUMNS; i++) UM_TRY(column(w, n, &value[i]));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &name));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &unit));
+  for (int i = 0; i < COLUMNS; i++) UM_TRY(UM_PAGE_ROOM(w->p, n, &value[i]));
   for (size_t i = 0; i < n; i++) {
     const struct um_compare_metrics *m = &w->c->channel[i].all;
     bool magnitude = um_compare_is_magnitude(channel_of(w, i)->quantity);
     char *words;
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, 200, 1, &words));
+    UM_TRY(UM_PAGE_ROOM(w->p, 200, &words));
     um_compare_channel_words(channel_of(w, i), words, 200);
     name[i] = words;
     unit[i] = magnitude ? "mag" : um_compare_residual_unit(channel_of(w, i)->quantity);
@@ -114,8 +106,7 @@ static enum um_status how_far(struct work *w)
                                          : UM_PAGE_WARNING);
   um_compare_page_put_chi2(w->page, "All channels", c->chi2, c->dof);
   for (size_t i = 0; i < c->nchannel; i++)
-    UM_TRY(um_compare_page_put_channel(w->context, w->page, &w->memory, &w->channel[i], i, w->shade,
-                                       w->nshade));
+    UM_TRY(um_compare_page_put_channel(w->p, &w->channel[i], i));
   return table_metrics(w);
 }
 
@@ -135,18 +126,17 @@ static enum um_status where(struct work *w)
   enum { CHANNEL, FROM, TO, MECHANISM, MATERIAL, TEXTS };
   const char **text[TEXTS];
   double *bias, *chi2;
-  for (int i = 0; i < TEXTS; i++)
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, most, sizeof *text[i], &text[i]));
-  UM_TRY(column(w, most, &bias));
-  UM_TRY(column(w, most, &chi2));
+  for (int i = 0; i < TEXTS; i++) UM_TRY(UM_PAGE_ROOM(w->p, most, &text[i]));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &bias));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &chi2));
   for (size_t i = 0; i < w->c->nchannel; i++)
     for (size_t k = 0; k < w->c->channel[i].nworst; k++) {
       const struct um_compare_interval *worst = &w->c->channel[i].worst[k];
       const struct um_compare_share *by = largest(worst->mechanism, worst->nmechanism);
       const struct um_compare_share *of = largest(worst->material, worst->nmaterial);
       char *words, *times;
-      UM_TRY(um_core_arena_allocate(w->context, &w->memory, 200, 1, &words));
-      UM_TRY(um_core_arena_allocate(w->context, &w->memory, 80, 1, &times));
+      UM_TRY(UM_PAGE_ROOM(w->p, 200, &words));
+      UM_TRY(UM_PAGE_ROOM(w->p, 80, &times));
       um_compare_channel_words(channel_of(w, i), words, 200);
       um_compare_time_text(worst->from, times);
       um_compare_time_text(worst->to, times + 40);
@@ -204,17 +194,16 @@ static enum um_status against(struct work *w, const struct um_compare_coordinate
   const struct um_compare_comparison *c = w->c;
   struct um_page_series *series;
   struct um_page_panel *panel;
-  char *id;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, c->nchannel, sizeof *series, &series));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, c->nchannel, sizeof *panel, &panel));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, 100, 1, &id));
-  snprintf(id, 100, "against-%.80s", coordinate->name);
+  const char *id;
+  UM_TRY(UM_PAGE_ROOM(w->p, c->nchannel, &series));
+  UM_TRY(UM_PAGE_ROOM(w->p, c->nchannel, &panel));
+  UM_TRY(um_page_words(w->p, &id, "against-%s", coordinate->name));
   for (size_t i = 0; i < c->nchannel; i++) {
     const struct um_compare_page_channel *channel = &w->channel[i];
     double *x;
     char *words;
-    UM_TRY(column(w, channel->count, &x));
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, 200, 1, &words));
+    UM_TRY(UM_PAGE_ROOM(w->p, channel->count, &x));
+    UM_TRY(UM_PAGE_ROOM(w->p, 200, &words));
     for (size_t k = 0; k < channel->count; k++)
       x[k] = coordinate->value[c->run.plan->observation[c->channel[i].row[k]]];
     um_compare_channel_words(channel->channel, words, 200);
@@ -249,9 +238,10 @@ static enum um_status goes_with(struct work *w)
   return UM_OK;
 }
 
-static enum um_status sections(struct work *w)
+static enum um_status fill(struct um_page_writer *p, const void *of)
 {
-  const struct um_compare_comparison *c = w->c;
+  const struct um_compare_comparison *c = of;
+  struct work whole = {.p = p, .page = p->page, .c = c}, *w = &whole;
   const struct um_model_tables *tables = c->run.tables;
   double first = INFINITY, last = -INFINITY;
   size_t count = 0;
@@ -259,10 +249,8 @@ static enum um_status sections(struct work *w)
     first = fmin(first, tables->t_obs[k]);
     last = fmax(last, tables->t_obs[k]);
   }
-  UM_TRY(um_compare_page_shade(w->context, c->run.model, first, last, &w->memory, &w->shade,
-                               &w->nshade));
-  UM_TRY(
-      um_core_arena_allocate(w->context, &w->memory, c->nchannel, sizeof *w->channel, &w->channel));
+  UM_TRY(um_compare_page_shade(p, c->run.model, first, last));
+  UM_TRY(UM_PAGE_ROOM(w->p, c->nchannel, &w->channel));
   for (size_t i = 0; i < c->nchannel; i++) {
     UM_TRY(read_channel(w, i));
     count += c->channel[i].count;
@@ -285,18 +273,9 @@ enum um_status um_compare_write_page(struct um_context *context,
                                      const struct um_compare_comparison *comparison,
                                      const char *command, struct um_core_folder *folder)
 {
-  enum um_status status;
-  struct work w = {.context = context, .c = comparison};
-  char *title = NULL;
-  UM_CHECK(um_core_asprintf(context, &title, "%s beside measurements",
-                            comparison->run.model->scenario->name));
-  const struct um_page_head head = {command, "comparison", title, NULL};
-  UM_CHECK(um_page_create(context, &head, &w.page));
-  UM_CHECK(sections(&w));
-  UM_CHECK(um_page_write_report(context, w.page, folder));
-done:
-  um_page_destroy(context, &w.page);
-  um_core_arena_release(context, &w.memory);
-  um_core_free(context, title);
-  return status;
+  const struct um_page_head head = {.command = command,
+                                    .kind = "comparison",
+                                    .title = comparison->run.model->scenario->name,
+                                    .about = " beside measurements"};
+  return um_page_report(context, &head, fill, comparison, folder);
 }

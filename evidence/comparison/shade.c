@@ -100,19 +100,13 @@ enum um_status um_compare_plot_shade(struct um_context *context, const struct um
   return status;
 }
 
-enum um_status um_compare_page_shade(struct um_context *context, const struct um_model *model,
-                                     double first, double last, struct um_core_arena *memory,
-                                     struct um_page_shade **out, size_t *count)
+enum um_status um_compare_page_shade(struct um_page_writer *w, const struct um_model *model,
+                                     double first, double last)
 {
-  struct shadow s = {.context = context, .model = model};
-  struct um_plot_shadow next;
-  *count = 0;
+  struct shadow s = {.context = w->context, .model = model};
   enum um_status status = follow_axis(&s, first, last);
-  if (status == UM_OK) status = um_core_arena_allocate(context, memory, s.count, sizeof **out, out);
-  for (size_t k = 0; status == UM_OK && um_plot_shadow_next(s.count, s.t, s.sunlit, &k, &next);)
-    (*out)[(*count)++] =
-        (struct um_page_shade){um_orbit_time_unix(next.from), um_orbit_time_unix(next.to),
-                               next.umbra ? "umbra" : "penumbra"};
-  UM_FREE(context, s.t, s.sunlit);
+  for (size_t k = 0; k < s.count; k++) s.t[k] = um_orbit_time_unix(s.t[k]);
+  if (status == UM_OK) status = um_page_writer_shade(w, s.count, s.t, s.sunlit);
+  UM_FREE(w->context, s.t, s.sunlit);
   return status;
 }

@@ -2,8 +2,7 @@
 #ifndef UMBRA_COMPARE_SHADE_H
 #define UMBRA_COMPARE_SHADE_H
 
-#include "base/core/arena.h"
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "base/plot/plot.h"
 #include "model/build/model.h"
 
@@ -14,9 +13,8 @@
 enum um_status um_compare_plot_shade(struct um_context *context, const struct um_model *model,
                                      const struct um_plot_time *time, struct um_plot *plot);
 
-/* The same on the axis of a page, from t_tai `first` to `last`; *out: [count], of the arena. */
-enum um_status um_compare_page_shade(struct um_context *context, const struct um_model *model,
-                                     double first, double last, struct um_core_arena *memory,
-                                     struct um_page_shade **out, size_t *count);
+/* The same as the shades of a page, from t_tai `first` to `last`. */
+enum um_status um_compare_page_shade(struct um_page_writer *w, const struct um_model *model,
+                                     double first, double last);
 
 #endif

@@ -8,7 +8,7 @@ import xarray as xr
 
 from . import _session
 from ._arrays import times
-from ._c import Memory, ffi, lib, message
+from ._c import Memory, ffi, lib, message, record
 from ._effects import Effect, effects
 from ._keys import find_scenario, names
 from ._names import Named
@@ -74,6 +74,19 @@ class Scenario(Named):
 
     def __setitem__(self, key, value):
         self.change({key: value})
+
+    def __getitem__(self, key):
+        """What a key says, changes included: a number, a flag, a text (times, too), a list, or a dict of a group. What
+        the scenario leaves to its default is an InputError; `umbra.keys` has defaults."""
+        out = ffi.new("const struct umbra_value **")
+        self._session.call("scenario_get", self._handle.pointer, Memory().text(key), out)
+        value = record(out[0][0])
+        kind = value.kind.name
+        if kind == "VALUE_LIST":
+            return [self[f"{key}.{i}"] for i in range(value.count)]
+        if kind == "VALUE_GROUP":
+            return {name: self[f"{key}.{name}"] for name in value.name}
+        return {"VALUE_NUMBER": value.number, "VALUE_FLAG": value.number == 1.0}.get(kind, value.text)
 
     def change(self, *changes):
         """Several changes, all or none: mappings of keys to values, and effects. Only what they make together is

@@ -167,7 +167,7 @@ static void test_complete(void **state)
   assert_non_null(said);
   char folder[128], path[160];
   said += strlen("results in ");
-  snprintf(folder, sizeof folder, "%.*s", (int)strcspn(said, ","), said);
+  snprintf(folder, sizeof folder, "%.*s", (int)strcspn(said, "\n"), said);
   snprintf(path, sizeof path, "%s/improved/scenario.yaml", folder);
   assert_true(command_exists(path));
   snprintf(path, sizeof path, "%s/plots.gp", folder);

@@ -62,7 +62,8 @@ static void test_variants_have_places(void **state)
   char *base = command_snapshot("out/box");
   struct command c = command_run(RUN, "--set", "time.step_s=120", NULL);
   assert_int_equal(c.code, 0);
-  assert_non_null(strstr(c.out, "results in out/box--set-time.step_s=120\n"));
+  assert_non_null(strstr(c.out, "results in out/box--set-time.step_s=120\n"
+                                "to look at: out/box--set-time.step_s=120/report.html\n"));
   command_release(&c);
   command_expect(0, RUN, "--without", "albedo", "--with", "zero_point:vis,factor=0.5", NULL);
   command_expect(0, RUN, "--with", "zero_point:lwir,factor=0.5", NULL);

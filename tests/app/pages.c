@@ -2,9 +2,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "tests/app/command.h"
 #include "tests/app/json.h"
+#include "tests/app/table.h"
 
 #define BOX "box.yaml"
 
@@ -92,6 +94,90 @@ static void test_sensitivity(void **state)
   free(json);
 }
 
+/* Ranges of a page are those of limits.csv, with the margin in words. */
+static void test_cases(void **state)
+{
+  (void)state;
+  command_expect(4, "cases", BOX, "--out", "cases", "--no-plots", "--set",
+                 "limits=[{of: bus, minimum_K: 250, maximum_K: 300, uncertainty_K: 5}]", NULL);
+  struct table t = table_read("cases/limits.csv");
+  assert_string_equal(table_text(&t, 0, "place"), "bus");
+  char *json = document("cases/report.html"), range[200], lead[120];
+  double margin = table_number(&t, 0, "margin_low_K");
+  snprintf(range, sizeof range,
+           "\"low\": %s, \"high\": %s, \"error\": 5, \"minimum\": 250, \"maximum\": 300, "
+           "\"text\": \"exceeded by %.2f K\", \"exceeded\": true",
+           table_text(&t, 0, "lowest_K"), table_text(&t, 0, "highest_K"), -margin);
+  snprintf(lead, sizeof lead, "1 of 1 limits are exceeded, most by %.2f K: bus", -margin);
+  EXPECT(json, "\"kind\": \"cases\"", lead, "\"level\": \"bad\"", "\"kind\": \"ranges\"", range,
+         "\"id\": \"temperatures\"");
+  free(json);
+  table_release(&t);
+  command_expect(0, "cases", BOX, "--out", "free", "--no-plots", NULL);
+  json = document("free/report.html");
+  EXPECT(json, "states no limits", "\"name\": \"bus\"");
+  assert_null(strstr(json, "\"minimum\":")); /* no stroke where there is no limit */
+  free(json);
+}
+
+static double unix_of(const char *utc)
+{
+  struct tm tm = {0};
+  assert_non_null(strptime(utc, "%Y-%m-%dT%H:%M:%S", &tm));
+  return (double)mktime(&tm); /* TZ is UTC */
+}
+
+/* What the first figure with shades behind `from` is shaded by at a time; "day": by nothing. */
+static const char *shade_at(const char *from, double t)
+{
+  static char name[40];
+  const char *at = strstr(from, "\"shade\": ["), *end;
+  assert_non_null(at);
+  end = strchr(at, ']');
+  for (at = strstr(at, "\"from\": "); at != NULL && at < end; at = strstr(at, "\"from\": ")) {
+    char *next;
+    double low = strtod(at + strlen("\"from\": "), &next);
+    double high = strtod(next + strlen(", \"to\": "), &next);
+    next += strlen(", \"name\": \"");
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(next, "\""), next);
+    if (t >= low && t <= high) return name;
+    at = next;
+  }
+  return "day";
+}
+
+/* Every pass has its row and its curves; the sky that passes.csv states is the one that is shaded.
+ */
+static void test_forecast(void **state)
+{
+  (void)state;
+  size_t nights = 0, days = 0;
+  command_expect(0, "forecast", BOX, "--days", "1", "--out", "passes", "--no-plots", "--set",
+                 "time.step_s=20", NULL);
+  struct table t = table_read("passes/passes.csv");
+  char *json = document("passes/report.html");
+  EXPECT(json, "\"kind\": \"forecast\"", "\"id\": \"passes\"", "\"id\": \"overview-1\"",
+         "\"name\": \"vis, magnitude (AB)\"", "\"name\": \"lwir, irradiance\"",
+         "\"id\": \"pass-1\"", "\"kind\": \"sky\"");
+  for (size_t i = 0; i < t.nrow; i++) {
+    const char *top = table_text(&t, i, "culmination_utc"), *sky = table_text(&t, i, "sky");
+    char when[32], title[80];
+    snprintf(when, sizeof when, "%.10s %.8s", top, top + 11);
+    assert_non_null(strstr(json, when));
+    snprintf(title, sizeof title, "\"title\": \"%s, %.0f\xc2\xb0 high, ", when,
+             table_number(&t, i, "culmination_elevation_deg"));
+    assert_non_null(strstr(json, title));
+    bool whole = strcmp(sky, "day") == 0 || strcmp(sky, "night") == 0;
+    assert_string_equal(shade_at(strstr(json, "\"id\": \"overview-1\""), unix_of(top)),
+                        whole ? sky : "twilight");
+    nights += strcmp(sky, "night") == 0;
+    days += strcmp(sky, "day") == 0;
+  }
+  assert_true(nights > 0 && days > 0);
+  free(json);
+  table_release(&t);
+}
+
 /* A scenario before it is solved; results beside each other, of which no page of another kind is
  * one. */
 static void test_view_and_report(void **state)
@@ -116,15 +202,16 @@ static void test_view_and_report(void **state)
 
 static int enter(void **state)
 {
-  if (command_enter(state) != 0) return -1;
+  if (command_enter(state) != 0 || setenv("TZ", "UTC0", 1) != 0) return -1;
   command_copy_data(BOX);
   return 0;
 }
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_compare),
-                                     cmocka_unit_test(test_sensitivity),
-                                     cmocka_unit_test(test_view_and_report)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_run),         cmocka_unit_test(test_compare),
+      cmocka_unit_test(test_sensitivity), cmocka_unit_test(test_cases),
+      cmocka_unit_test(test_forecast),    cmocka_unit_test(test_view_and_report)};
   return cmocka_run_group_tests(tests, enter, command_leave);
 }

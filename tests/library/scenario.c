@@ -100,6 +100,45 @@ static void test_every_bit(void **state)
   }
 }
 
+static const struct umbra_value *get(const char *key)
+{
+  const struct umbra_value *value;
+  assert_int_equal(umbra_scenario_get(umbra, scenario, key, &value), UMBRA_OK);
+  return value;
+}
+
+/* What a key says is what was set last, bit by bit; what is not stated is not made up. */
+static void test_get(void **state)
+{
+  (void)state;
+  const struct umbra_value *value;
+  const double odd = nextafter(7000.0, 8000.0);
+  assert_int_equal(umbra_scenario_set_number(umbra, scenario, X, odd), UMBRA_OK);
+  assert_int_equal(get(X)->kind, UMBRA_VALUE_NUMBER);
+  assert_memory_equal(&get(X)->number, &odd, sizeof odd);
+  assert_int_equal(umbra_scenario_set(umbra, scenario, X, "7000"), UMBRA_OK);
+  assert_close(get(X)->number, 7000.0, 0.0);
+  assert_string_equal(get(X)->text, "7000");
+  assert_int_equal(get("parts.bus.lumped")->kind, UMBRA_VALUE_FLAG);
+  assert_close(get("parts.bus.lumped")->number, 1.0, 0.0);
+  assert_int_equal(get("parts.0.name")->kind, UMBRA_VALUE_TEXT);
+  assert_string_equal(get("parts.0.name")->text, "bus");
+  value = get("parts.bus.box.size_m");
+  assert_int_equal(value->kind, UMBRA_VALUE_LIST);
+  assert_int_equal(value->count, 3);
+  value = get("bands.vis");
+  assert_int_equal(value->kind, UMBRA_VALUE_GROUP);
+  assert_int_equal(value->nname, 3);
+  assert_string_equal(value->name[2], "bins");
+  static const char *const none[] = {"environment.albedo", "time.stap_s", "parts.7",
+                                     "time..step_s"};
+  for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+    assert_int_equal(umbra_scenario_get(umbra, scenario, none[i], &value), UMBRA_ERR_INPUT);
+    assert_null(value);
+    assert_true(umbra_message(umbra)[0] != '\0');
+  }
+}
+
 /* A number by number is refused, or taken, as the same number by text. */
 static void test_refused_as_text(void **state)
 {
@@ -197,6 +236,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_every_bit, enter, leave),
+      cmocka_unit_test_setup_teardown(test_get, enter, leave),
       cmocka_unit_test_setup_teardown(test_refused_as_text, enter, leave),
       cmocka_unit_test_setup_teardown(test_order, enter, leave),
       cmocka_unit_test_setup_teardown(test_together, enter, leave),

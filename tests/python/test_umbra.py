@@ -173,6 +173,19 @@ class Names(unittest.TestCase):
         self.assertIn(words, str(caught.exception))
         self.assertNotIn("\n", str(caught.exception))
 
+    def test_read_back(self):
+        """A key says what was set last, with all its bits; groups and lists as Python has them."""
+        s = box()
+        s["time.step_s"] = 0.1 + 0.2
+        self.assertEqual(s["time.step_s"], 0.1 + 0.2)
+        s["time.step_s"] = "45"
+        self.assertEqual(s["time.step_s"], 45.0)
+        self.assertEqual(s["time.start_utc"], "2016-09-06T18:08:00Z")
+        self.assertIs(s["parts.bus.lumped"], True)
+        self.assertEqual(s["parts.bus.box.size_m"], [1.0, 1.0, 1.0])
+        self.assertEqual(s["parts"][0]["shell"], {"areal_heat_capacity_J_m2_K": 3000.0})
+        self.assertTold(umbra.InputError, "states nothing there", lambda: s["environment.albedo"])
+
     def test_nearest(self):
         result = Runs.result if hasattr(Runs, "result") else box().run()
         name = first_parameter("emittance").name

@@ -14,41 +14,24 @@
 #define FAR 100.0 /* alternatives further behind in BIC are left to diagnosis.json */
 
 struct work {
-  struct um_context *context;
+  struct um_page_writer *p;
+  struct um_page *page; /* the writer's */
   const struct um_diagnosis *d;
-  struct um_page *page;
-  struct um_core_arena memory;
-  struct um_page_shade *shade;
-  size_t nshade;
 };
-
-static enum um_status texts(struct work *w, size_t n, const char ***out)
-{
-  return um_core_arena_allocate(w->context, &w->memory, n, sizeof **out, out);
-}
-
-static enum um_status columns(struct work *w, size_t n, double **out)
-{
-  return um_core_arena_allocate(w->context, &w->memory, n, sizeof **out, out);
-}
 
 /* "emittance of mli", as a text of the page. */
 static enum um_status name_of(struct work *w, const struct um_effect *effect, const char *target,
                               const char **out)
 {
-  char *text;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, 200, 1, &text));
-  snprintf(text, 200, "%.90s%s%.90s", effect->name, target != NULL ? " of " : "",
-           target != NULL ? target : "");
-  *out = text;
-  return UM_OK;
+  return um_page_words(w->p, out, "%s%s%s", effect->name, target != NULL ? " of " : "",
+                       target != NULL ? target : "");
 }
 
 static enum um_status values_of(struct work *w, const struct um_effect *effect, const char *target,
                                 const double *value, const double *sigma, const char **out)
 {
   char *text;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, UM_DIAGNOSIS_VALUES_MAX, 1, &text));
+  UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_VALUES_MAX, &text));
   um_diagnosis_values_text(w->d->forward, effect, target, value, sigma, text);
   *out = text[0] != '\0' ? text : "switched on";
   return UM_OK;
@@ -67,10 +50,10 @@ static enum um_status channel(struct work *w, size_t c)
   size_t *row, n;
   double *time, *measured, *sigma;
   enum um_status status;
-  UM_TRY(um_diagnosis_report_channel_rows(w->context, d, c, &row, &n));
-  UM_CHECK(columns(w, n, &time));
-  UM_CHECK(columns(w, n, &measured));
-  UM_CHECK(columns(w, n, &sigma));
+  UM_TRY(um_diagnosis_report_channel_rows(w->p->context, d, c, &row, &n));
+  UM_CHECK(UM_PAGE_ROOM(w->p, n, &time));
+  UM_CHECK(UM_PAGE_ROOM(w->p, n, &measured));
+  UM_CHECK(UM_PAGE_ROOM(w->p, n, &sigma));
   for (size_t i = 0; i < n; i++) {
     bool magnitude = um_compare_is_magnitude(of->quantity);
     double flux = o->measured[row[i]], error = o->stated_sigma[row[i]];
@@ -80,8 +63,8 @@ static enum um_status channel(struct work *w, size_t c)
   }
   for (size_t m = 0; m < page.nmodel; m++) {
     double *value, *residual;
-    UM_CHECK(columns(w, n, &value));
-    UM_CHECK(columns(w, n, &residual));
+    UM_CHECK(UM_PAGE_ROOM(w->p, n, &value));
+    UM_CHECK(UM_PAGE_ROOM(w->p, n, &residual));
     for (size_t i = 0; i < n; i++) {
       value[i] = um_diagnosis_report_in_unit(of->quantity, values[m][row[i]]);
       residual[i] = (o->measured[row[i]] - values[m][row[i]]) / o->sigma[row[i]];
@@ -92,11 +75,9 @@ static enum um_status channel(struct work *w, size_t c)
   page.time = time;
   page.value = measured;
   page.sigma = sigma;
-  if (n > 0)
-    status =
-        um_compare_page_put_channel(w->context, w->page, &w->memory, &page, c, w->shade, w->nshade);
+  if (n > 0) status = um_compare_page_put_channel(w->p, &page, c);
 done:
-  um_core_free(w->context, row);
+  um_core_free(w->p->context, row);
   return status;
 }
 
@@ -135,13 +116,14 @@ static enum um_status tried(struct work *w)
   size_t shown, tested;
   enum um_status status;
   if (d->nranking == 0) return UM_OK;
-  UM_CHECK(um_diagnosis_report_bars(w->context, d, &bars, &shown, &tested));
-  UM_CHECK(um_core_arena_allocate(w->context, &w->memory, shown, sizeof *bar, &bar));
+  UM_CHECK(um_diagnosis_report_bars(w->p->context, d, &bars, &shown, &tested));
+  UM_CHECK(UM_PAGE_ROOM(w->p, shown, &bar));
   for (size_t i = 0; i < shown; i++) {
-    char estimate[160], *text;
+    const char *text;
+    char estimate[160];
     um_diagnosis_report_bar_text(d, &bars[i], estimate);
-    UM_CHECK(um_core_arena_allocate(w->context, &w->memory, 240, 1, &text));
-    snprintf(text, 240, "%s%s%s", roles[bars[i].role], estimate[0] != '\0' ? ": " : "", estimate);
+    UM_CHECK(um_page_words(w->p, &text, "%s%s%s", roles[bars[i].role],
+                           estimate[0] != '\0' ? ": " : "", estimate));
     bar[i] = (struct um_page_bar){um_diagnosis_report_candidate_of(d, bars[i].score)->name, text,
                                   um_diagnosis_report_explained(d, &bars[i]), NAN};
   }
@@ -150,7 +132,7 @@ static enum um_status tried(struct work *w)
   um_page_text(w->page, "%zu effects were tested; the best %zu are shown.", tested, shown);
   um_page_bars(w->page, &figure, &value, bar, shown);
 done:
-  um_core_free(w->context, bars);
+  um_core_free(w->p->context, bars);
   return status;
 }
 
@@ -162,10 +144,10 @@ static enum um_status found(struct work *w)
   const struct um_diagnosis *d = w->d;
   size_t n = d->naddition + d->nnuisance;
   const char **name, **value, **why, **kind;
-  UM_TRY(texts(w, n, &name));
-  UM_TRY(texts(w, n, &value));
-  UM_TRY(texts(w, n, &why));
-  UM_TRY(texts(w, n, &kind));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &name));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &value));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &why));
+  UM_TRY(UM_PAGE_ROOM(w->p, n, &kind));
   for (size_t i = 0; i < n; i++) {
     bool nuisance = i >= d->naddition;
     size_t at = nuisance ? i - d->naddition : i;
@@ -205,12 +187,12 @@ static enum um_status alternatives(struct work *w)
   const char **name, **of, **value, **how;
   double *behind, *apart;
   for (size_t s = 0; s < d->nstep; s++) most += d->step[s].nalternative;
-  UM_TRY(texts(w, most, &name));
-  UM_TRY(texts(w, most, &of));
-  UM_TRY(texts(w, most, &value));
-  UM_TRY(texts(w, most, &how));
-  UM_TRY(columns(w, most, &behind));
-  UM_TRY(columns(w, most, &apart));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &name));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &of));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &value));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &how));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &behind));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &apart));
   for (size_t s = 0; s < d->nstep; s++)
     for (size_t i = 1; i < d->step[s].nalternative; i++) {
       const struct um_diagnosis_step *step = &d->step[s];
@@ -258,8 +240,8 @@ static enum um_status believe(struct work *w)
   const char **name;
   double *value[COLUMNS];
   if (d->nstep == 0) return UM_OK;
-  UM_TRY(texts(w, d->nstep, &name));
-  for (int i = 0; i < COLUMNS; i++) UM_TRY(columns(w, d->nstep, &value[i]));
+  UM_TRY(UM_PAGE_ROOM(w->p, d->nstep, &name));
+  for (int i = 0; i < COLUMNS; i++) UM_TRY(UM_PAGE_ROOM(w->p, d->nstep, &value[i]));
   for (size_t s = 0; s < d->nstep; s++) {
     const struct um_diagnosis_step *step = &d->step[s];
     UM_TRY(name_of(w, step->addition.effect, step->addition.target, &name[s]));
@@ -301,13 +283,13 @@ static enum um_status next(struct work *w)
   const char **winner, **from, **what;
   size_t n = 0;
   if (d->nnext == 0) return UM_OK;
-  UM_TRY(texts(w, d->nnext, &winner));
-  UM_TRY(texts(w, d->nnext, &from));
-  UM_TRY(texts(w, d->nnext, &what));
+  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &winner));
+  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &from));
+  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &what));
   for (size_t i = 0; i < d->nnext; i++) {
     const struct um_diagnosis_next *one = &d->next_of[i];
     char *text;
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, UM_DIAGNOSIS_NEXT_TEXT, 1, &text));
+    UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_NEXT_TEXT, &text));
     um_diagnosis_report_next_text(one, text);
     winner[n] = d->candidates->candidate[d->step[one->step].candidate].name;
     from[n] = d->candidates->candidate[one->candidate].name;
@@ -321,17 +303,17 @@ static enum um_status next(struct work *w)
   return UM_OK;
 }
 
-static enum um_status sections(struct work *w)
+static enum um_status fill(struct um_page_writer *p, const void *of)
 {
-  const struct um_diagnosis *d = w->d;
+  const struct um_diagnosis *d = of;
+  struct work whole = {.p = p, .page = p->page, .d = d}, *w = &whole;
   const struct um_sensitivity_observations *o = &d->forward->observations;
   double first = INFINITY, last = -INFINITY;
   for (size_t i = 0; i < o->count; i++) {
     first = fmin(first, o->t[i]);
     last = fmax(last, o->t[i]);
   }
-  UM_TRY(um_compare_page_shade(w->context, d->forward->model, first, last, &w->memory, &w->shade,
-                               &w->nshade));
+  UM_TRY(um_compare_page_shade(p, d->forward->model, first, last));
   if (d->summary != NULL) um_page_lead(w->page, "%s", d->summary);
   um_page_fact(w->page, "verdict", "%s", um_diagnosis_verdict_name(d->verdict));
   um_page_fact(w->page, "scenario", "%s", d->forward->model->scenario->name);
@@ -349,18 +331,9 @@ enum um_status um_diagnosis_report_write_page(struct um_context *context,
                                               const struct um_diagnosis *diagnosis,
                                               const char *command, struct um_core_folder *folder)
 {
-  enum um_status status;
-  struct work w = {.context = context, .d = diagnosis};
-  char *title = NULL;
-  UM_CHECK(um_core_asprintf(context, &title, "%s: what the model lacks",
-                            diagnosis->forward->model->scenario->name));
-  const struct um_page_head head = {command, "diagnosis", title, NULL};
-  UM_CHECK(um_page_create(context, &head, &w.page));
-  UM_CHECK(sections(&w));
-  UM_CHECK(um_page_write_report(context, w.page, folder));
-done:
-  um_page_destroy(context, &w.page);
-  um_core_arena_release(context, &w.memory);
-  um_core_free(context, title);
-  return status;
+  const struct um_page_head head = {.command = command,
+                                    .kind = "diagnosis",
+                                    .title = diagnosis->forward->model->scenario->name,
+                                    .about = ": what the model lacks"};
+  return um_page_report(context, &head, fill, diagnosis, folder);
 }

@@ -11,13 +11,9 @@
 #define NUMBERS 1000000 /* derivatives of a page, at most: temperatures stay away beyond that */
 
 struct work {
-  struct um_context *context;
+  struct um_page_writer *p;
+  struct um_page *page; /* the writer's */
   const struct um_sensitivity_matrix *m;
-  struct um_page *page;
-  struct um_core_arena memory;
-  struct um_page_axis time;
-  struct um_page_shade *shade;
-  size_t nshade;
 };
 
 /* Rows with a column, the strongest in light first: *out [*count] of the arena. */
@@ -26,8 +22,8 @@ static enum um_status order(struct work *w, size_t **out, size_t *count)
   const struct um_sensitivity_matrix *m = w->m;
   double *strength;
   *count = 0;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, m->nrow, sizeof **out, out));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, m->nrow, sizeof *strength, &strength));
+  UM_TRY(UM_PAGE_ROOM(w->p, m->nrow, out));
+  UM_TRY(UM_PAGE_ROOM(w->p, m->nrow, &strength));
   for (size_t i = 0; i < m->nrow; i++) {
     if (m->row[i].column == NULL) continue;
     double most = 0.0;
@@ -56,15 +52,14 @@ static enum um_status sliders(struct work *w, const size_t *row, size_t nrow)
   size_t ncurve = nrow * m->ncurve * m->ntime <= NUMBERS ? m->ncurve : m->nlight;
   struct um_page_slider *slider;
   struct um_page_curve *curve;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *slider, &slider));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, ncurve, sizeof *curve, &curve));
+  UM_TRY(UM_PAGE_ROOM(w->p, nrow, &slider));
+  UM_TRY(UM_PAGE_ROOM(w->p, ncurve, &curve));
   for (size_t i = 0; i < nrow; i++) {
     const struct um_sensitivity_row *r = &m->row[row[i]];
     bool on = r->quality.way == UM_SENSITIVITY_BY_SWITCH;
-    char *label;
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, 300, 1, &label));
-    snprintf(label, 300, "%.100s%s%.100s", r->candidate->name, on ? "" : ", ",
-             on ? "" : r->candidate->effect->parameters[r->parameter].name);
+    const char *label;
+    UM_TRY(um_page_words(w->p, &label, "%s%s%s", r->candidate->name, on ? "" : ", ",
+                         on ? "" : r->candidate->effect->parameters[r->parameter].name));
     slider[i] = (struct um_page_slider){
         .name = r->name,
         .label = label,
@@ -81,8 +76,8 @@ static enum um_status sliders(struct work *w, const size_t *row, size_t nrow)
   for (size_t c = 0; c < ncurve; c++) {
     const double **derivative;
     double *error;
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *derivative, &derivative));
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *error, &error));
+    UM_TRY(UM_PAGE_ROOM(w->p, nrow, &derivative));
+    UM_TRY(UM_PAGE_ROOM(w->p, nrow, &error));
     for (size_t i = 0; i < nrow; i++) {
       derivative[i] = m->row[row[i]].column + c * m->ntime;
       error[i] = m->row[row[i]].quality.error;
@@ -96,7 +91,8 @@ static enum um_status sliders(struct work *w, const size_t *row, size_t nrow)
                                .error = error};
   }
   um_page_section(w->page, "what-if", "What if a value were another?", UM_PAGE_PLAIN);
-  um_page_sliders(w->page, &figure, &w->time, w->shade, w->nshade, slider, nrow, curve, ncurve);
+  um_page_sliders(w->page, &figure, &w->p->time, w->p->shade, w->p->nshade, slider, nrow, curve,
+                  ncurve);
   return UM_OK;
 }
 
@@ -107,24 +103,22 @@ static enum um_status leaders(struct work *w, size_t group)
   const struct um_sensitivity_report_group g = um_sensitivity_report_group(m, group);
   struct um_sensitivity_report_leader leader[BARS];
   struct um_page_bar *bar;
-  char *title, id[40];
+  const char *title;
+  char id[40];
   size_t n = um_sensitivity_report_leaders(m, &g, 0, m->ntime, false, BARS, leader);
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, BARS, sizeof *bar, &bar));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, 160, 1, &title));
-  snprintf(title, 160, "What moves %.100s most", g.name);
+  UM_TRY(UM_PAGE_ROOM(w->p, BARS, &bar));
+  UM_TRY(um_page_words(w->p, &title, "What moves %s most", g.name));
   snprintf(id, sizeof id, "leaders-%zu", group + 1);
   for (size_t i = 0; i < n; i++) {
     const struct um_sensitivity_row *r = &m->row[leader[i].row];
     bool on = r->quality.way == UM_SENSITIVITY_BY_SWITCH;
-    char *text;
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, 160, 1, &text));
-    if (on)
-      snprintf(text, 160, "turned on");
-    else
-      snprintf(text, 160, "by +%.3g%s%.60s%s%.60s", r->width, strcmp(r->unit, "1") == 0 ? "" : " ",
-               strcmp(r->unit, "1") == 0 ? "" : r->unit,
-               m->curve[leader[i].curve].temperature ? ", in " : "",
-               m->curve[leader[i].curve].temperature ? m->curve[leader[i].curve].name : "");
+    const char *text = "turned on";
+    if (!on)
+      UM_TRY(um_page_words(
+          w->p, &text, "by +%.3g%s%s%s%s", r->width, strcmp(r->unit, "1") == 0 ? "" : " ",
+          strcmp(r->unit, "1") == 0 ? "" : r->unit,
+          m->curve[leader[i].curve].temperature ? ", in " : "",
+          m->curve[leader[i].curve].temperature ? m->curve[leader[i].curve].name : ""));
     bool heat = m->curve[leader[i].curve].temperature;
     bar[i] = (struct um_page_bar){
         r->name, text,
@@ -145,11 +139,10 @@ static enum um_status errors(struct work *w, const size_t *row, size_t nrow)
   const struct um_sensitivity_matrix *m = w->m;
   const char **name, **unit, **way;
   double *value[COLUMNS];
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *name, &name));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *unit, &unit));
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *way, &way));
-  for (int i = 0; i < COLUMNS; i++)
-    UM_TRY(um_core_arena_allocate(w->context, &w->memory, nrow, sizeof *value[i], &value[i]));
+  UM_TRY(UM_PAGE_ROOM(w->p, nrow, &name));
+  UM_TRY(UM_PAGE_ROOM(w->p, nrow, &unit));
+  UM_TRY(UM_PAGE_ROOM(w->p, nrow, &way));
+  for (int i = 0; i < COLUMNS; i++) UM_TRY(UM_PAGE_ROOM(w->p, nrow, &value[i]));
   for (size_t i = 0; i < nrow; i++) {
     const struct um_sensitivity_row *r = &m->row[row[i]];
     name[i] = r->name;
@@ -173,17 +166,17 @@ static enum um_status errors(struct work *w, const size_t *row, size_t nrow)
   return UM_OK;
 }
 
-static enum um_status sections(struct work *w)
+static enum um_status fill(struct um_page_writer *p, const void *of)
 {
-  const struct um_sensitivity_matrix *m = w->m;
+  const struct um_sensitivity_matrix *m = of;
+  struct work whole = {.p = p, .page = p->page, .m = m}, *w = &whole;
   size_t *row, nrow;
   double *t;
-  UM_TRY(um_core_arena_allocate(w->context, &w->memory, m->ntime, sizeof *t, &t));
+  UM_TRY(UM_PAGE_ROOM(w->p, m->ntime, &t));
   for (size_t k = 0; k < m->ntime; k++) t[k] = um_orbit_time_unix(m->time[k]);
-  w->time = (struct um_page_axis){"time", "UTC", UM_PAGE_TIME, t, m->ntime};
+  UM_TRY(um_page_writer_times(p, m->ntime, t, NULL));
   if (m->ntime > 0)
-    UM_TRY(um_compare_page_shade(w->context, m->forward->model, m->time[0], m->time[m->ntime - 1],
-                                 &w->memory, &w->shade, &w->nshade));
+    UM_TRY(um_compare_page_shade(p, m->forward->model, m->time[0], m->time[m->ntime - 1]));
   UM_TRY(order(w, &row, &nrow));
   um_page_lead(w->page, "How light and temperatures change with %zu parameters, at %zu instants.",
                nrow, m->ntime);
@@ -191,51 +184,32 @@ static enum um_status sections(struct work *w)
   UM_TRY(sliders(w, row, nrow));
   um_page_section(w->page, "leaders", "What moves it most?", UM_PAGE_PLAIN);
   um_page_text(w->page, "Calibration and air, which act behind the satellite, are left out here.");
-  um_page_picture(w->page, "sensitivity.svg");
+  um_page_writer_picture(w->p, "sensitivity.svg");
   for (size_t g = 0; g < um_sensitivity_report_groups(m); g++) UM_TRY(leaders(w, g));
   return errors(w, row, nrow);
 }
 
-/* The page in memory; the caller destroys. */
-static enum um_status make(struct um_context *context, const struct um_sensitivity_report *report,
-                           const char *token, struct um_page **out)
+static struct um_page_head head_of(const struct um_sensitivity_report *report, const char *token)
 {
-  enum um_status status;
-  struct work w = {.context = context, .m = report->matrix};
-  char *title = NULL;
-  *out = NULL;
-  UM_CHECK(um_core_asprintf(context, &title, "%s: what moves it",
-                            report->matrix->forward->model->scenario->name));
-  const struct um_page_head head = {report->command, "sensitivity", title, token};
-  UM_CHECK(um_page_create(context, &head, &w.page));
-  UM_CHECK(sections(&w));
-  *out = w.page;
-  w.page = NULL;
-done:
-  um_page_destroy(context, &w.page);
-  um_core_arena_release(context, &w.memory);
-  um_core_free(context, title);
-  return status;
+  return (struct um_page_head){.command = report->command,
+                               .kind = "sensitivity",
+                               .title = report->matrix->forward->model->scenario->name,
+                               .about = ": what moves it",
+                               .token = token};
 }
 
 enum um_status um_sensitivity_report_write_page(struct um_context *context,
                                                 const struct um_sensitivity_report *report,
                                                 struct um_core_folder *folder)
 {
-  struct um_page *page;
-  UM_TRY(make(context, report, NULL, &page));
-  enum um_status status = um_page_write_report(context, page, folder);
-  um_page_destroy(context, &page);
-  return status;
+  const struct um_page_head head = head_of(report, NULL);
+  return um_page_report(context, &head, fill, report->matrix, folder);
 }
 
 enum um_status um_sensitivity_report_serve_page(struct um_context *context,
                                                 const struct um_sensitivity_report *report,
                                                 const char *token, FILE *file)
 {
-  struct um_page *page;
-  UM_TRY(make(context, report, token, &page));
-  enum um_status status = um_page_write(context, page, file);
-  um_page_destroy(context, &page);
-  return status;
+  const struct um_page_head head = head_of(report, token);
+  return um_page_put(context, &head, fill, report->matrix, file);
 }

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "base/page/page.h"
+#include "base/page/writer.h"
 #include "tests/app/json.h"
 #include "tests/support/cmocka_all.h"
 
@@ -14,7 +14,7 @@
 /* A page with one figure of each kind, as text; the caller frees. */
 static char *make(struct um_context *context)
 {
-  const struct um_page_head head = {"umbra run " HOSTILE, "run", HOSTILE, NULL};
+  const struct um_page_head head = {"umbra run " HOSTILE, "run", HOSTILE, NULL, NULL};
   const double x[] = {1.5e9, 1.5e9 + 1.0, 1.5e9 + 2.5}, y[] = {1.0, NAN, 3.0};
   const double z[] = {0, 1, 2, 3, 4, 5, 6, 7, 8}, error[] = {0.1, 0.2, 0.3};
   const double *derivative[] = {y};
@@ -215,7 +215,7 @@ static void test_numbers(void **state)
 static void test_long(void **state)
 {
   struct um_context *context = *state;
-  const struct um_page_head head = {"c", "run", "t", NULL};
+  const struct um_page_head head = {"c", "run", "t", NULL, NULL};
   struct um_page *page;
   char *text = NULL, *sentence = malloc(10001);
   size_t length = 0;
@@ -244,6 +244,48 @@ static void test_reach(void **state)
   free(text);
 }
 
+/* Curves over time, with the instants that lie in the shadow; `of`: what the filling returns. */
+static enum um_status fill(struct um_page_writer *w, const void *of)
+{
+  static const double t[] = {0.0, 10.0, 20.0, 30.0}, sunlit[] = {1.0, 0.5, 0.0, 1.0};
+  const char *words;
+  UM_TRY(um_page_writer_times(w, 4, t, sunlit));
+  UM_TRY(um_page_words(w, &words, "%s %d", "light", 7));
+  const struct um_page_series series = {.name = words, .value = t};
+  const struct um_page_panel panel = {.name = "p", .unit = "1", .series = &series, .nseries = 1};
+  const struct um_page_figure figure = {.id = "f", .title = "f"};
+  um_page_section(w->page, "s", "S?", UM_PAGE_PLAIN);
+  um_page_axes(w->page, &figure, &w->time, w->shade, w->nshade, &panel, 1);
+  return *(const enum um_status *)of;
+}
+
+/* A page in one call: its title ends in what it is about, shadows reach halfway to their
+ * neighbours; of a filling that fails nothing is written. */
+static void test_writer(void **state)
+{
+  struct um_context *context = *state;
+  const struct um_page_head head = {"c", "run", "box", ": what moves it", NULL};
+  enum um_status said = UM_OK;
+  char *text = NULL;
+  size_t length = 0;
+  FILE *file = open_memstream(&text, &length);
+  assert_non_null(file);
+  assert_int_equal(um_page_put(context, &head, fill, &said, file), UM_OK);
+  assert_int_equal(fclose(file), 0);
+  assert_non_null(strstr(text, "\"title\": \"box: what moves it\""));
+  assert_non_null(strstr(text, "\"name\": \"light 7\""));
+  assert_non_null(strstr(text, "{\"from\": 5, \"to\": 15, \"name\": \"penumbra\"}"));
+  assert_non_null(strstr(text, "{\"from\": 15, \"to\": 25, \"name\": \"umbra\"}"));
+  free(text);
+  said = UM_ERR_NUMERIC;
+  file = open_memstream(&text, &length);
+  assert_non_null(file);
+  assert_int_equal(um_page_put(context, &head, fill, &said, file), UM_ERR_NUMERIC);
+  assert_int_equal(fclose(file), 0);
+  assert_int_equal(length, 0);
+  free(text);
+}
+
 static int enter(void **state)
 {
   struct um_context *context = NULL;
@@ -261,8 +303,9 @@ static int leave(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_document),
-                                     cmocka_unit_test(test_hostile), cmocka_unit_test(test_numbers),
-                                     cmocka_unit_test(test_reach), cmocka_unit_test(test_long)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_document), cmocka_unit_test(test_hostile),
+      cmocka_unit_test(test_numbers),  cmocka_unit_test(test_reach),
+      cmocka_unit_test(test_long),     cmocka_unit_test(test_writer)};
   return cmocka_run_group_tests(tests, enter, leave);
 }

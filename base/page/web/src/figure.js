@@ -4,12 +4,13 @@ import { drawBars } from "./bars.js";
 import { csvText, saveText } from "./csv.js";
 import { button, el, freshId } from "./dom.js";
 import { drawMap } from "./map.js";
+import { drawRanges } from "./ranges.js";
 import { drawScene } from "./scene.js";
 import { drawSky } from "./sky.js";
 import { drawSliders } from "./sliders.js";
 import { drawTable, tableOf } from "./table.js";
 
-const KINDS = { axes: drawAxes, bars: drawBars, map: drawMap, table: drawTable, sky: drawSky, sliders: drawSliders, scene: drawScene };
+const KINDS = { axes: drawAxes, bars: drawBars, map: drawMap, ranges: drawRanges, table: drawTable, sky: drawSky, sliders: drawSliders, scene: drawScene };
 
 /** A name of a file from an identifier of a document. */
 const fileName = (id) => `${String(id).replace(/[^A-Za-z0-9._-]+/g, "-").replace(/^[.-]+/, "") || "figure"}.csv`;

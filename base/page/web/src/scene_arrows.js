@@ -12,12 +12,14 @@ export const ARROWS = [
 const UP = new Vector3(0, 1, 0);
 
 function arrow(radius) {
-  const material = new MeshBasicMaterial({ transparent: true });
+  // Where the satellite fills the picture an arrow stands before it.
+  const material = new MeshBasicMaterial({ transparent: true, depthTest: false });
   const shaft = new Mesh(new CylinderGeometry(radius * 0.011, radius * 0.011, 1, 8), material);
   shaft.position.y = 0.5;
   const head = new Mesh(new ConeGeometry(radius * 0.04, radius * 0.12, 16), material);
   const group = new Group();
   group.add(shaft, head);
+  shaft.renderOrder = head.renderOrder = 1;
   return { group, shaft, head, material };
 }
 
@@ -32,7 +34,7 @@ export function createArrows(scene, centre, radius, layer) {
     const label = el("span", { class: "arrow-label" }, a.name);
     layer.append(label);
     root.add(parts.group);
-    return { ...a, ...parts, label, direction: new Vector3(), tip: new Vector3(), known: false, word: a.name };
+    return { ...a, ...parts, label, direction: new Vector3(), known: false, word: a.name };
   });
   const inner = 0.92 * radius;
   const outer = 1.2 * radius;
@@ -45,11 +47,9 @@ export function createArrows(scene, centre, radius, layer) {
         if (!a.known) continue;
         a.direction.normalize();
         a.group.quaternion.setFromUnitVectors(UP, a.direction);
-        a.group.position.copy(centre).addScaledVector(a.direction, inner);
         a.shaft.scale.y = outer - inner;
         a.shaft.position.y = (outer - inner) / 2;
         a.head.position.y = outer - inner;
-        a.tip.copy(centre).addScaledVector(a.direction, outer + 0.07 * radius);
         const dark = a.id === "sun" && scene.sunlit && scene.sunlit[i] < 0.001;
         a.material.opacity = dark ? 0.35 : 1;
         a.word = dark ? "(Sun)" : a.name;
@@ -66,17 +66,23 @@ export function createArrows(scene, centre, radius, layer) {
     /** Puts the names beside the tips. An arrow that points at the eye or away is a sign: ⊙ or ⊗; that to the observer is left out there. */
     place(camera, width, height, shown) {
       const sight = camera.getWorldDirection(new Vector3());
+      const [right, up] = [0, 1].map((c) => new Vector3().setFromMatrixColumn(camera.matrixWorld, c));
       const at = new Vector3();
       const middle = new Vector3().copy(centre).project(camera);
       for (const a of arrows) {
         const along = sight.dot(a.direction);
+        // Outside the satellite, but within the picture, with room for the name.
+        const [across, upward] = [right, up].map((v) => Math.abs(a.direction.dot(v)) * (outer + 0.07 * radius));
+        const size = Math.min(1, (0.84 * camera.right) / camera.zoom / across, (0.86 * camera.top) / camera.zoom / upward);
+        a.group.scale.setScalar(size);
+        a.group.position.copy(centre).addScaledVector(a.direction, size * inner);
         const end = Math.abs(along) > 0.985;
         a.group.visible = shown && a.known && !end;
         a.label.hidden = !(shown && a.known) || (end && a.id === "observer");
         a.label.textContent = end ? `${along > 0 ? "⊗" : "⊙"} ${a.word}` : a.word;
         // What points away may stand behind the satellite.
         a.label.style.opacity = along > 0.6 ? 0.55 : 1;
-        at.copy(a.tip).project(camera);
+        at.copy(centre).addScaledVector(a.direction, size * (outer + 0.07 * radius)).project(camera);
         // The name stands beyond the tip, as seen from the middle.
         const [dx, dy] = [(at.x - middle.x) * width, (middle.y - at.y) * height];
         const [ux, uy] = [dx, dy].map((v) => v / (Math.hypot(dx, dy) || 1));

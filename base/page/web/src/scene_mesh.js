@@ -32,7 +32,7 @@ function piece(scene, chosen) {
 /**
  * @param {object} scene of scene_values.js
  * @returns {{root: Group, meshes: Mesh[], centre: Vector3, radius: number, paint: (colour: (surface: number) => number[]) => void,
- *   pose: (i: number) => void, edgeColour: (colour: string) => void}}
+ *   pose: (i: number) => void, visit: (i: number, f: (corner: Vector3) => void) => void, edgeColour: (colour: string) => void}}
  */
 export function createMesh(scene) {
   const count = scene.triangles.length / 3;
@@ -58,13 +58,26 @@ export function createMesh(scene) {
     }
   };
 
-  const { centre, radius } = bounds(pieces, pose, scene.time?.length ?? 0, root);
+  const corner = new Vector3();
+  /** Calls f with corners of the satellite as it stands at an instant. */
+  const visit = (i, f) => {
+    pose(i);
+    root.updateMatrixWorld(true);
+    for (const p of pieces) {
+      const place = p.mesh.geometry.getAttribute("position");
+      // Many corners: a part of them tells the size as well.
+      const stride = Math.ceil(place.count / MANY);
+      for (let k = 0; k < place.count; k += stride) f(corner.fromBufferAttribute(place, k).applyMatrix4(p.mesh.matrixWorld));
+    }
+  };
+  const { centre, radius } = bounds(visit, scene.time?.length ?? 0);
   return {
     root,
     meshes: pieces.map((p) => p.mesh),
     centre,
     radius,
     pose,
+    visit,
     paint(colour) {
       for (const p of pieces) {
         const attribute = p.mesh.geometry.getAttribute("color");
@@ -81,37 +94,27 @@ export function createMesh(scene) {
   };
 }
 
+/** Some instants of `times`, the first among them; the first alone of none. */
+export function someInstants(times, most) {
+  const every = Math.max(1, Math.floor(times / most));
+  return Array.from({ length: Math.ceil(Math.max(1, times) / every) }, (v, i) => i * every);
+}
+
 /** A ball about the satellite in all its poses, by its corners. */
-function bounds(pieces, pose, times, root) {
-  const corner = new Vector3();
+function bounds(visit, times) {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = new Vector3(-Infinity, -Infinity, -Infinity);
-  const every = Math.max(1, Math.floor(times / 12));
-  const visit = (f) => {
-    root.updateMatrixWorld(true);
-    for (const p of pieces) {
-      const place = p.mesh.geometry.getAttribute("position");
-      // Many corners: a part of them tells the size as well.
-      const stride = Math.ceil(place.count / MANY);
-      for (let i = 0; i < place.count; i += stride) f(corner.fromBufferAttribute(place, i).applyMatrix4(p.mesh.matrixWorld));
-    }
-  };
-  const instants = [];
-  for (let i = 0; i < Math.max(1, times); i += every) instants.push(i);
-  for (const i of instants) {
-    pose(i);
-    visit((v) => {
+  const instants = someInstants(times, 12);
+  for (const i of instants)
+    visit(i, (v) => {
       low.min(v);
       high.max(v);
     });
-  }
   const centre = low.add(high).multiplyScalar(0.5);
   let radius = 0;
-  for (const i of instants) {
-    pose(i);
-    visit((v) => {
+  for (const i of instants)
+    visit(i, (v) => {
       radius = Math.max(radius, v.distanceTo(centre));
     });
-  }
   return Number.isFinite(radius) && radius > 0 ? { centre, radius } : { centre: new Vector3(), radius: 1 };
 }

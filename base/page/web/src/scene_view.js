@@ -4,14 +4,16 @@ import { ColorManagement, LinearSRGBColorSpace, OrthographicCamera, Raycaster, S
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { el, oncePerFrame } from "./dom.js";
 import { createArrows } from "./scene_arrows.js";
-import { createMesh } from "./scene_mesh.js";
+import { createMesh, someInstants } from "./scene_mesh.js";
 import { colours, isPrinting, onTheme } from "./theme.js";
 
 /* Colours are data: what the colour bar shows is what the screen gets, without conversion. */
 ColorManagement.enabled = false;
 
-/** Half of the picture's height, in radii of the satellite. */
-const HALF = 1.42;
+/** Room about the satellite, of its size. */
+const ROOM = 1.12;
+/** So many instants are looked at for how large the observer sees it. */
+const INSTANTS = 30;
 
 /**
  * @param {HTMLElement} host takes the canvas @param {object} scene arrays of the document's scene
@@ -63,6 +65,29 @@ export function createView(host, scene, freed) {
     observer.lookAt(centre);
   }
 
+  /** How far the satellite reaches across and along the observer's picture, at the instants where it reaches far. */
+  const reaches = scene.observer
+    ? someInstants(scene.time?.length ?? 0, INSTANTS).map((i) => {
+        aim(i);
+        observer.updateMatrixWorld();
+        const [right, up] = [0, 1].map((c) => new Vector3().setFromMatrixColumn(observer.matrixWorld, c));
+        const reach = [0, 0];
+        mesh.visit(i, (v) => {
+          v.sub(centre);
+          reach[0] = Math.max(reach[0], Math.abs(v.dot(right)));
+          reach[1] = Math.max(reach[1], Math.abs(v.dot(up)));
+        });
+        return reach;
+      })
+    : [];
+  /** Half of the picture's height: the observer's shows the satellite at all instants, so that its size does not jump; the free one from all sides. */
+  function halfOf(c, ratio) {
+    const all = ROOM * radius * Math.max(1, 1 / ratio);
+    if (c === free) return all;
+    const most = ROOM * Math.max(0, ...reaches.map(([across, along]) => Math.max(along, across / ratio)));
+    return most > 0.05 * radius ? most : all;
+  }
+
   function resize() {
     const width = isPrinting() ? 420 : host.clientWidth;
     const height = isPrinting() ? 315 : host.clientHeight;
@@ -70,8 +95,8 @@ export function createView(host, scene, freed) {
     size = [width, height];
     renderer.setSize(width, height, false);
     const ratio = width / height;
-    const half = HALF * radius * Math.max(1, 1 / ratio);
     for (const c of [observer, free]) {
+      const half = halfOf(c, ratio);
       [c.left, c.right, c.top, c.bottom] = [-half * ratio, half * ratio, half, -half];
       c.updateProjectionMatrix();
     }
@@ -101,7 +126,7 @@ export function createView(host, scene, freed) {
     if (mode === "free") return;
     // The free view begins where the observer's was.
     free.position.copy(observer.position);
-    free.zoom = observer.zoom;
+    free.zoom = observer.zoom * (free.top / observer.top);
     free.updateProjectionMatrix();
     mode = "free";
     controls.update();

@@ -75,7 +75,10 @@ export function drawSky(figure, { array, host, clock }) {
     const i = nearest(time, m.time);
     if (i < 0 || !Number.isFinite(azimuth[i])) return null;
     const [x, y] = place(azimuth[i], elevation[i]);
-    const [ux, uy] = aside(azimuth, elevation, i);
+    let [ux, uy] = aside(azimuth, elevation, i);
+    // A name inside the sky does not run over its rim, where those of the compass stand.
+    const end = x + Math.sign(ux) * (8 + 6.2 * String(m.name).length);
+    if (elevation[i] > 8 && Math.abs(ux) >= 0.35 && Math.hypot(end - SIZE / 2, y - SIZE / 2) > R) [ux, uy] = [-ux, -uy];
     const anchor = Math.abs(ux) < 0.35 ? "middle" : ux < 0 ? "end" : "start";
     return [
       svg("circle", { cx: x, cy: y, r: 2.8, class: "sky-mark" }),

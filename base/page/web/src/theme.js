@@ -13,7 +13,7 @@ const LIGHT = {
   edge: "#20262b",
   series: ["#0072b2", "#d55e00", "#009e73", "#c0569a", "#b07c00", "#2f8fc7", "#6b5b95", "#6e6e6e"],
   before: "#8a949c",
-  shade: { umbra: "rgba(49,66,102,0.20)", penumbra: "rgba(49,66,102,0.09)" },
+  shade: { umbra: "rgba(49,66,102,0.20)", penumbra: "rgba(49,66,102,0.09)", night: "rgba(90,60,140,0.15)", twilight: "rgba(90,60,140,0.07)" },
   shades: ["rgba(176,124,0,0.12)", "rgba(0,158,115,0.10)", "rgba(192,86,154,0.10)"],
   arrows: { sun: "#b07c00", nadir: "#0072b2", observer: "#007a59", velocity: "#b0458a" },
 };
@@ -24,7 +24,7 @@ const DARK = {
   edge: "#0c0f12",
   series: ["#4fb3ef", "#ff8a4a", "#2fc79b", "#e58cc3", "#e8b33a", "#9bd3f7", "#b3a2e0", "#b5bcc2"],
   before: "#8a949c",
-  shade: { umbra: "rgba(140,165,225,0.20)", penumbra: "rgba(140,165,225,0.10)" },
+  shade: { umbra: "rgba(140,165,225,0.20)", penumbra: "rgba(140,165,225,0.10)", night: "rgba(180,150,240,0.17)", twilight: "rgba(180,150,240,0.08)" },
   shades: ["rgba(232,179,58,0.14)", "rgba(47,199,155,0.12)", "rgba(229,140,195,0.12)"],
   arrows: { sun: "#ffcc4d", nadir: "#6cc0f5", observer: "#2fc79b", velocity: "#e58cc3" },
 };

@@ -115,6 +115,31 @@ test("a facet has the colour of its value on the bar, and pointing at it names i
     assert.match(await page.locator(".scene-tip").textContent(), /(bus|radiator|panel).*temperature [\d.]+ K/);
   }));
 
+test("the satellite fills its picture at the instant at which it is largest, and at none is cut off", () =>
+  visit("plain", async (page) => {
+    const reach = await page.evaluate(() => {
+      const { view } = window.umbra.figure("satellite");
+      const [width, height] = [view.canvas.clientWidth, view.canvas.clientHeight];
+      const { steps } = window.umbra.clock;
+      let [most, cut] = [0, 0];
+      for (let k = 0; k < 12; k += 1) {
+        window.umbra.clock.move(steps[Math.floor((k * (steps.length - 1)) / 11)]);
+        view.draw();
+        let [left, right, top, bottom] = [width, 0, height, 0];
+        for (let x = 2; x < width; x += 8)
+          for (let y = 2; y < height; y += 8) {
+            if (view.surfaceAt(x, y) < 0) continue;
+            [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+          }
+        most = Math.max(most, (right - left) / width, (bottom - top) / height);
+        if (left < 8 || top < 8 || right > width - 8 || bottom > height - 8) cut += 1;
+      }
+      return { most, cut };
+    });
+    assert.ok(reach.most > 0.75, `${reach.most} of the picture`);
+    assert.equal(reach.cut, 0);
+  }));
+
 test("bars, maps and the sky show their numbers", () =>
   visit("plain", async (page) => {
     const bars = figureOf(made.plain.document, "flows").bars;
@@ -147,6 +172,32 @@ test("bars, maps and the sky show their numbers", () =>
     const azimuth = (Math.atan2(-dot[0], dot[1]) * 180) / Math.PI;
     assert.ok(Math.abs(((azimuth - flown.azimuth[300] + 540) % 360) - 180) < 0.01);
     assert.ok(Math.abs(90 - (90 * Math.hypot(...dot)) / 150 - flown.elevation[300]) < 0.01);
+  }));
+
+test("ranges stand between their limits, and what is beyond them is told apart", () =>
+  visit("plain", async (page) => {
+    const rows = await page.locator('figure[data-id="limits"] .range-row[role="listitem"]').evaluateAll((all) =>
+      all.map((row) => {
+        const box = (e) => e.getBoundingClientRect();
+        const track = box(row.querySelector(".bar-track"));
+        const at = (x) => (x - track.left) / track.width;
+        const ends = (kind) => [...row.querySelectorAll(kind)].map((e) => [at(box(e).left), at(box(e).right)]);
+        return { name: row.children[0].textContent, of: row.children[1].textContent, bars: ends(".range:not(.pale)"), beyond: ends(".range.beyond:not(.pale)"), limits: ends(".range-limit").map(([l]) => l) };
+      }),
+    );
+    assert.deepEqual(rows.map((r) => [r.name, r.of]), [["battery", "hot"], ["", "cold"], ["array", "hot"]]);
+    // The axis by two ends that are known, of the widest range: 190 K to 371 K.
+    const [left, right] = rows[2].bars[0];
+    const kelvin = (share) => 190 + ((share - left) / (right - left)) * (371 - 190);
+    const near = (share, value) => assert.ok(Math.abs(kelvin(share) - value) < 0.5, `${kelvin(share)} in place of ${value}`);
+    near(rows[0].bars[0][0], 285);
+    near(rows[0].bars.at(-1)[1], 312);
+    near(rows[0].beyond[0][0], 308);
+    near(rows[1].bars[0][0], 276);
+    near(rows[1].bars[0][1], 281);
+    assert.equal(rows[1].beyond.length, 0);
+    near(rows[0].limits[0] + 1 / 600, 273);
+    assert.equal(rows[2].limits.length, 0);
   }));
 
 test("several documents beside each other are told apart by name", () =>

@@ -74,6 +74,8 @@ test("little is enough: no facts, no numbers, one sample, gaps alone, a satellit
     { kind: "axes", id: "absent", title: "An array that is not there", x, panels: panel([{ name: "a", data: 999 }]) },
     { kind: "bars", id: "bars", title: "Bars", name: "v", unit: "1", scale: "log", bars: [{ name: "a", value: null }, { name: "b", value: 1e-9, error: 1e-10 }] },
     { kind: "map", id: "map", title: "Map", x: { name: "x", unit: "1", data: n.f64([1]) }, y: { name: "y", unit: "1", data: n.f64([1]) }, z: { name: "z", unit: "1", data: n.f64([NaN]) } },
+    { kind: "ranges", id: "ranges", title: "Ranges", name: "v", unit: "K", ranges: [{ name: "a", low: null, high: 3 }, { name: "b", of: "c", low: 2, high: 2, minimum: 5 }] },
+    { kind: "ranges", id: "no-ranges", title: "Ranges", name: "v", unit: "K", ranges: [] },
     { kind: "sky", id: "sky", title: "Sky", time: n.f64([]), azimuth_deg: n.f64([]), elevation_deg: n.f64([]) },
     { kind: "table", id: "table", title: "Table", columns: [] },
     { kind: "sliders", id: "sliders", title: "Sliders", x, parameters: [], curves: [] },

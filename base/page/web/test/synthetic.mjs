@@ -73,6 +73,14 @@ function partsSection(n, f, x, shade, names) {
           { name: "nothing is missing", value: 112.7, error: 6 },
         ],
       },
+      {
+        kind: "ranges", id: "limits", title: "Temperatures and their limits", name: "temperature", unit: "K",
+        ranges: [
+          { name: "battery", of: "hot", low: 285, high: 312, error: 2, minimum: 273, maximum: 308, text: "exceeded by 6 K", exceeded: true },
+          { name: "battery", of: "cold", low: 276, high: 281, error: 2, minimum: 273, maximum: 308, text: "kept by 1 K" },
+          { name: "array", of: "hot", low: 190, high: 371 },
+        ],
+      },
       { kind: "bars", id: "flows", title: "Heat flows at 20:40", name: "heat flow", unit: "W", bars: [{ name: "solar", value: 812 }, { name: "albedo", value: 96 }, { name: "planet", value: 141 }, { name: "radiated", value: -968, error: 12 }, { name: "stored", value: -81 }] },
     ],
   };
