@@ -1,5 +1,6 @@
 /* umbra export: what is written is taken in again, and refused without a trace. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
