@@ -9,6 +9,7 @@
 #include "library/umbra.h"
 
 struct um_context;
+struct um_app_option;
 
 /* Defaults of options. UM_APP_VERSION, as "1.2.3", is the project's, defined by the build. */
 #define UM_APP_RENDER_WIDTH      512 /* pixels */
@@ -37,10 +38,10 @@ enum um_app_exit {
 };
 
 /* Options that verbs have in common, as parsed; texts borrowed from argv. */
-struct um_app_option;
 struct um_app_options {
   const char *positional[4];
   int npositional;
+  int literal;      /* where "--" stands among the arguments; 0: nowhere */
   const char *out;  /* --out, -o */
   const char **set; /* --set KEY=VALUE */
   size_t nset;
@@ -102,9 +103,7 @@ struct um_app_options {
   const char *from_mesh, *tle, *one_station; /* of new: --from, --tle, --station */
   char *command;                             /* the command as typed */
   const char *replay;                        /* --replay FILE */
-  /* [argc] what every argument is part of, NULL: of no option; where "--" stands, 0: nowhere */
-  const struct um_app_option **token;
-  int literal;
+  const struct um_app_option **token; /* [argc] what each argument is of; NULL: of no option */
 };
 
 /* What an option takes and where it goes. */

@@ -1,5 +1,6 @@
 /* umbra export: what is written is taken in again, and refused without a trace. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,6 +92,9 @@ static void test_old_name(void **state)
   assert_string_equal(c.err, "umbra exchange is now umbra export --as=exchange; the old name works "
                              "until version 0.6\n");
   command_release(&c);
+  /* which say when they were written, and of what */
+  assert_int_equal(remove("new/replay.json"), 0);
+  assert_int_equal(remove("old/replay.json"), 0);
   char *a = command_snapshot("new"), *b = command_snapshot("old");
   for (char *at; (at = strstr(b, "old/")) != NULL;) memcpy(at, "new/", 4);
   assert_string_equal(a, b);
