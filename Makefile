@@ -38,7 +38,7 @@ build: configure
 demo: program
 	$(BUILD)/umbra run scenarios/envisat-graz-2016 --out out/envisat-graz-2016 \
 		--picture 2016-09-21T20:33:00Z --picture first-light
-	@echo "to look at: out/envisat-graz-2016/report.html; pictures: *.png; every wavelength of two views: *.exr"
+	@echo "beside it pictures in *.png, and every wavelength of two views in *.exr"
 
 demo-study: program
 	$(BUILD)/umbra study scenarios/envisat-graz-2016/study.yaml --out out/envisat-study
