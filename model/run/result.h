@@ -52,7 +52,7 @@ struct um_model_result {
                                    not asked for (um_model_run_observed) */
   struct um_thermal_heat audit; /* [J] over the whole thermal run */
   double audit_error;           /* [1] */
-  double audit_limit;           /* of it (um_thermal_audit_limit) */
+  double audit_limit;           /* of it (um_thermal_history_audit_limit) */
   double periodic_distance;     /* what the periodic start left [K]; NaN when isothermal */
   size_t steps, rhs_evaluations, jacobians;
 };

@@ -93,7 +93,7 @@ static enum um_status run_dark(struct um_context *context, const struct um_model
   result->nobs = tables->nobs;
   result->audit = run->history->audit;
   result->audit_error = run->history->audit_error;
-  result->audit_limit = um_thermal_audit_limit(&heat->solver.options);
+  result->audit_limit = um_thermal_history_audit_limit(run->history, &heat->solver.options);
   result->periodic_distance = heat->periodic_distance;
   result->steps = run->history->steps;
   result->rhs_evaluations = run->history->rhs_evaluations;

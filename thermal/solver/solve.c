@@ -11,11 +11,12 @@
 #include "thermal/solver/integrator_group.h"
 
 #define CLOSED 1e-6 /* of its content: the least turnover, of a satellite that is closed */
-/* The audit's limit: a tenth of the 1e-3 to which LWIR is stated, 7 mK of a body in balance. A run
- * of minutes turns over little heat beside what Newton's iteration leaves at every step, an orbit
- * comes to 1e-6 and less. Then the tolerances up to which it holds: those of 0.1 K (tolerances.c).
- */
-#define AUDIT_LIMIT    1e-4
+/* The audit's limit: a tenth of the 1e-3 to which LWIR is stated, 7 mK of a body in balance; or 10
+ * mK of all that is warm, since a run of minutes turns over little beside what Newton's iteration
+ * leaves at every step. Orbits come to 1e-6 and less. Both at the tolerances of 0.1 K
+ * (tolerances.c), or tighter ones. */
+#define AUDIT_TURNOVER 1e-4
+#define AUDIT_CONTENT  (0.01 / 300.0)
 #define AUDIT_RELATIVE 1e-5
 #define AUDIT_ABSOLUTE 1e-3 /* [K] */
 
@@ -75,31 +76,38 @@ void um_thermal_history_destroy(struct um_context *context, struct um_thermal_hi
   *history = NULL;
 }
 
+/* Heat that goes over the border either way [J]. */
+static double turnover(const struct um_thermal_heat *h, double content)
+{
+  double gross = fabs(h->solar) + fabs(h->albedo) + fabs(h->planet) + fabs(h->internal) +
+                 fabs(h->radiated) + fabs(h->conducted) + fabs(h->exchanged);
+  return fmax(gross, CLOSED * content);
+}
+
 static double error_of(const struct um_thermal_heat *h, double content)
 {
-  const double term[UM_AUDIT_TERMS] = {h->solar,    h->albedo,    h->planet,   h->internal,
-                                       h->radiated, h->conducted, h->exchanged};
-  double net = 0.0, gross = 0.0;
-  for (int k = 0; k < UM_AUDIT_TERMS; k++) {
-    net += term[k];
-    gross += fabs(term[k]);
-  }
-  gross = fmax(gross, CLOSED * content);
+  double net =
+      h->solar + h->albedo + h->planet + h->internal + h->radiated + h->conducted + h->exchanged;
+  double gross = turnover(h, content);
   return gross > 0.0 ? fabs(net - h->stored) / gross : 0.0;
 }
 
-double um_thermal_audit_limit(const struct um_thermal_solve_options *options)
+double um_thermal_history_audit_limit(const struct um_thermal_history *history,
+                                      const struct um_thermal_solve_options *options)
 {
   if (options->tolerance_factor > 1.0) return INFINITY;
-  return AUDIT_LIMIT * fmax(1.0, fmax(options->relative_tolerance / AUDIT_RELATIVE,
-                                      options->absolute_tolerance / AUDIT_ABSOLUTE));
+  double looser = fmax(1.0, fmax(options->relative_tolerance / AUDIT_RELATIVE,
+                                 options->absolute_tolerance / AUDIT_ABSOLUTE));
+  double gross = turnover(&history->audit, history->content);
+  double content = gross > 0.0 ? AUDIT_CONTENT * history->content / gross : 0.0;
+  return looser * fmax(AUDIT_TURNOVER, content);
 }
 
 enum um_status um_thermal_history_audit_check(struct um_context *context,
                                               const struct um_thermal_history *history,
                                               const struct um_thermal_solve_options *options)
 {
-  double limit = um_thermal_audit_limit(options);
+  double limit = um_thermal_history_audit_limit(history, options);
   if (!(history->audit_error > limit)) return UM_OK;
   return um_core_fail(context, UM_ERR_NUMERIC,
                       "energy audit: %.1e of the heat that is turned over is not accounted for; "

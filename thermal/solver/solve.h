@@ -25,10 +25,11 @@ struct um_thermal_history {
 /* Start temperatures, here and below: start[nnode] [K], of boundary nodes what they are held at;
  * NULL: those the network was built with. A network is never written to. */
 
-/* The most that the audit's error of a run may be [1]: 1e-4 at tolerances of 1e-5 and 1 mK or less,
- * in proportion at looser ones; INFINITY where a tolerance_factor above 1 leaves the care for it.
- */
-double um_thermal_audit_limit(const struct um_thermal_solve_options *options);
+/* The most that the audit's error of a run may be [1]: 1e-4, or as much as is 10 mK of the heat
+ * content, at tolerances of 1e-5 and 1 mK or less, in proportion at looser ones; INFINITY where a
+ * tolerance_factor above 1 leaves the care for it. */
+double um_thermal_history_audit_limit(const struct um_thermal_history *history,
+                                      const struct um_thermal_solve_options *options);
 /* UM_ERR_NUMERIC where a run's audit is above it. */
 enum um_status um_thermal_history_audit_check(struct um_context *context,
                                               const struct um_thermal_history *history,

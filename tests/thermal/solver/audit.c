@@ -285,6 +285,15 @@ static void test_limit(void **state)
   assert_int_equal(um_thermal_history_audit_check(help_context, &history, &options),
                    UM_ERR_NUMERIC);
   um_core_message_clear(help_context);
+  /* 200 J into 1 MJ that is there: 10 mK of it are a sixth of that */
+  history = (struct um_thermal_history){
+      .audit_error = 0.9 / 6.0, .content = 1e6, .audit = {.solar = 200.0}};
+  options.absolute_tolerance = 1e-3;
+  assert_int_equal(um_thermal_history_audit_check(help_context, &history, &options), UM_OK);
+  history.audit_error = 1.1 / 6.0;
+  assert_int_equal(um_thermal_history_audit_check(help_context, &history, &options),
+                   UM_ERR_NUMERIC);
+  um_core_message_clear(help_context);
   history.audit_error = NAN; /* not made */
   assert_int_equal(um_thermal_history_audit_check(help_context, &history, &options), UM_OK);
 }
