@@ -37,12 +37,12 @@ struct um_environment_clear_sky um_environment_clear_sky_of(enum um_environment_
 bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky, double from,
                                      double to);
 /* Mean transmission between two wavelengths [m] that are covered, along a path of this airmass, 1
- * or more [1]. To 0.023 (20 nm) and 0.006 (100 1/cm) of LOWTRAN7 without aerosol, at zenith angles
- * to 70 deg (tests/environment/clear_sky.c). */
+ * or more [1]. To 0.023 of LOWTRAN7 in 5 nm and to 0.015 in 5 1/cm, without aerosol, at zenith
+ * angles to 70 deg (tests/environment/clear_sky.c). */
 double um_environment_clear_sky_transmission(const struct um_environment_clear_sky *sky,
                                              double from, double to, double airmass);
 /* Radiance of that path downward, mean between two wavelengths [W/m^2/sr/m]: its own heat, and no
- * scattered light (sky_light.h) or heat. To 8 % of LOWTRAN7 in 100 1/cm, 2 % in 8-12 um. */
+ * scattered light (sky_light.h) or heat. To 6 % of LOWTRAN7 in 5 1/cm. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
 

@@ -55,6 +55,33 @@ static bool within_reach(struct um_vec3 v)
          fabs(v.z) <= UM_GEOMETRY_MAX_LENGTH;
 }
 
+static enum um_status copy_schedule(struct um_context *context,
+                                    const struct um_geometry_part_spec *spec,
+                                    struct um_geometry_part *part)
+{
+  const struct um_geometry_schedule *from = &spec->schedule;
+  size_t n = from->nrow;
+  double *t, *angle;
+  if (n == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "part '%s': the schedule of its joint is empty",
+                        spec->name);
+  UM_TRY(um_core_allocate(context, n, sizeof *t, &t));
+  part->schedule.t = t;
+  UM_TRY(um_core_allocate(context, n, sizeof *angle, &angle));
+  part->schedule.angle = angle;
+  part->schedule.nrow = n;
+  for (size_t i = 0; i < n; i++) {
+    t[i] = from->t[i];
+    angle[i] = from->angle[i];
+    if (!(isfinite(t[i]) && isfinite(angle[i]) && t[i] >= t[i > 0 ? i - 1 : 0]))
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "part '%s': row %zu of the schedule of its joint, %g s and %g rad; "
+                          "accepted: finite, ascending times",
+                          spec->name, i + 1, t[i], angle[i]);
+  }
+  return UM_OK;
+}
+
 /* Pose and joint of a spec into the part, unit vectors made unit. */
 static enum um_status copy_pose(struct um_context *context,
                                 const struct um_geometry_part_spec *spec,
@@ -93,7 +120,8 @@ static enum um_status copy_pose(struct um_context *context,
                         spec->name);
   part->joint_axis = um_vec3_unit(spec->joint_axis);
   part->joint_angle = spec->joint_angle;
-  if (spec->joint == UM_JOINT_FIXED) return UM_OK;
+  if (spec->joint == UM_JOINT_SCHEDULE) UM_TRY(copy_schedule(context, spec, part));
+  if (spec->joint != UM_JOINT_SUN) return UM_OK;
   if (!(fabs(normal - 1.0) <= 1e-6))
     return um_core_fail(
         context, UM_ERR_INPUT,

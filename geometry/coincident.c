@@ -35,7 +35,12 @@ struct search {
   enum um_status status;
 };
 
-/* The nearest joint that follows the Sun, on the way to the body: what has the same one does not
+static bool moves(const struct um_geometry_part *part)
+{
+  return part->joint_kind == UM_JOINT_SUN || part->joint_kind == UM_JOINT_SCHEDULE;
+}
+
+/* The nearest joint that moves, on the way to the body: what has the same one does not
  * move against each other. */
 static enum um_status find_rigid(struct search *s)
 {
@@ -44,9 +49,9 @@ static enum um_status find_rigid(struct search *s)
   for (size_t i = 0; i < g->npart; i++) {
     size_t k = g->order[i];
     const struct um_geometry_part *p = &g->part[k];
-    s->rigid[k] = p->joint_kind == UM_JOINT_SUN ? (uint32_t)p->joint
-                  : p->parent == (size_t)-1     ? UM_GEOMETRY_NONE
-                                                : s->rigid[p->parent];
+    s->rigid[k] = moves(p)                  ? (uint32_t)p->joint
+                  : p->parent == (size_t)-1 ? UM_GEOMETRY_NONE
+                                            : s->rigid[p->parent];
   }
   return UM_OK;
 }

@@ -13,15 +13,25 @@ static bool same_vec(struct um_vec3 a, struct um_vec3 b)
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+static bool schedule_equal(const struct um_geometry_schedule *a,
+                           const struct um_geometry_schedule *b)
+{
+  if (a->nrow != b->nrow) return false;
+  for (size_t i = 0; i < a->nrow; i++)
+    if (a->t[i] != b->t[i] || a->angle[i] != b->angle[i]) return false;
+  return true;
+}
+
 static bool part_equal(const struct um_geometry_part *a, const struct um_geometry_part *b)
 {
   return a->parent == b->parent && a->joint == b->joint && a->joint_kind == b->joint_kind &&
-         a->joint_angle == b->joint_angle && same_vec(a->position, b->position) &&
-         a->rotation.w == b->rotation.w && a->rotation.x == b->rotation.x &&
-         a->rotation.y == b->rotation.y && a->rotation.z == b->rotation.z &&
-         same_vec(a->joint_axis, b->joint_axis) && same_vec(a->joint_normal, b->joint_normal) &&
-         a->vertex_begin == b->vertex_begin && a->vertex_end == b->vertex_end &&
-         a->facet_begin == b->facet_begin && a->facet_end == b->facet_end;
+         a->joint_angle == b->joint_angle && schedule_equal(&a->schedule, &b->schedule) &&
+         same_vec(a->position, b->position) && a->rotation.w == b->rotation.w &&
+         a->rotation.x == b->rotation.x && a->rotation.y == b->rotation.y &&
+         a->rotation.z == b->rotation.z && same_vec(a->joint_axis, b->joint_axis) &&
+         same_vec(a->joint_normal, b->joint_normal) && a->vertex_begin == b->vertex_begin &&
+         a->vertex_end == b->vertex_end && a->facet_begin == b->facet_begin &&
+         a->facet_end == b->facet_end;
 }
 
 static bool group_equal(const struct um_geometry_group *a, const struct um_geometry_group *b)

@@ -14,7 +14,9 @@ void um_geometry_destroy(struct um_geometry **geometry)
   if (geometry == NULL || *geometry == NULL) return;
   struct um_geometry *g = *geometry;
   struct um_context *context = g->context;
-  for (size_t i = 0; i < g->npart; i++) um_core_free(context, g->part[i].name);
+  for (size_t i = 0; i < g->npart; i++)
+    UM_FREE(context, g->part[i].name, (void *)(uintptr_t)g->part[i].schedule.t,
+            (void *)(uintptr_t)g->part[i].schedule.angle);
   for (size_t i = 0; i < g->ngroup; i++) um_core_free(context, (void *)(uintptr_t)g->group[i].name);
   for (size_t i = 0; i < g->nmaterial; i++) um_core_free(context, g->material[i]);
   UM_FREE(context, g->part, g->order, g->group, g->material, g->vertex, g->normal);

@@ -32,7 +32,15 @@ struct um_geometry_skin {
   const char *front, *back; /* material names; back NULL: the back is not a surface (closed body) */
 };
 
-enum um_geometry_joint_kind { UM_JOINT_NONE, UM_JOINT_FIXED, UM_JOINT_SUN };
+enum um_geometry_joint_kind { UM_JOINT_NONE, UM_JOINT_FIXED, UM_JOINT_SUN, UM_JOINT_SCHEDULE };
+
+/* Angles of a joint by time: linear between rows, a jump where two rows have one time, held before
+ * the first and after the last. */
+struct um_geometry_schedule {
+  size_t nrow;
+  const double *t;     /* [nrow] ascending, t_tai [s] */
+  const double *angle; /* [nrow] [rad] */
+};
 
 /* Description of one part; strings are copied. */
 struct um_geometry_part_spec {
@@ -50,8 +58,9 @@ struct um_geometry_part_spec {
   enum um_geometry_joint_kind joint;
   struct um_vec3 joint_axis; /* unit, in the part frame, through its origin [1] */
   struct um_vec3
-      joint_normal;     /* SUN: this unit vector of the part frame is turned toward the Sun */
-  double joint_angle;   /* [rad], FIXED; offset of SUN */
+      joint_normal;   /* SUN: this unit vector of the part frame is turned toward the Sun */
+  double joint_angle; /* [rad], FIXED; offset of SUN and SCHEDULE */
+  struct um_geometry_schedule schedule; /* SCHEDULE */
   struct um_vec3 grain; /* direction of brushing or tows, in the part frame; all zero: x [1] */
   const struct um_geometry_skin *skins; /* [nskin] */
   size_t nskin;
@@ -118,11 +127,11 @@ bool um_geometry_equal(const struct um_geometry *a, const struct um_geometry *b)
 
 /* Joints: angles are [njoint], one per part that has a joint, in part order. */
 size_t um_geometry_joint_count(const struct um_geometry *geometry);
-bool um_geometry_joint_moves(const struct um_geometry *geometry); /* any UM_JOINT_SUN */
-/* Angles [rad] for a Sun direction in body frame (unit). FIXED joints give their constant. A Sun
- * along the axis gives 0. Outermost parents are turned first. */
+bool um_geometry_joint_moves(const struct um_geometry *geometry); /* any SUN or SCHEDULE */
+/* Angles [rad] for a Sun direction in body frame (unit) at t_tai [s], which may be infinite. FIXED
+ * joints give their constant. A Sun along the axis gives 0. Outermost parents are turned first. */
 void um_geometry_joint_angles(const struct um_geometry *geometry, struct um_vec3 sun_body,
-                              double *angles);
+                              double t_tai, double *angles);
 /* Positions at those angles (NULL when there is no joint). The caller destroys. */
 enum um_status um_geometry_pose_create(struct um_context *context,
                                        const struct um_geometry *geometry, const double *angles,

@@ -13,6 +13,7 @@ struct um_geometry_part {
   enum um_geometry_joint_kind joint_kind;
   struct um_vec3 joint_axis, joint_normal;
   double joint_angle;
+  struct um_geometry_schedule schedule;
   struct um_vec3 grain; /* unit */
   size_t joint;         /* index of its joint, or (size_t)-1 */
   size_t vertex_begin, vertex_end, facet_begin, facet_end;

@@ -61,12 +61,31 @@ size_t um_geometry_joint_count(const struct um_geometry *geometry) { return geom
 bool um_geometry_joint_moves(const struct um_geometry *geometry)
 {
   for (size_t i = 0; i < geometry->npart; i++)
-    if (geometry->part[i].joint_kind == UM_JOINT_SUN) return true;
+    if (geometry->part[i].joint_kind == UM_JOINT_SUN ||
+        geometry->part[i].joint_kind == UM_JOINT_SCHEDULE)
+      return true;
   return false;
 }
 
+/* Of a jump the later row, held outside. */
+static double scheduled(const struct um_geometry_schedule *s, double t)
+{
+  size_t low = 0, high = s->nrow; /* rows before `low` are at t or earlier, from `high` on later */
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (s->t[middle] <= t)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  if (low == 0) return s->angle[0];
+  if (low == s->nrow) return s->angle[s->nrow - 1];
+  double w = (t - s->t[low - 1]) / (s->t[low] - s->t[low - 1]);
+  return s->angle[low - 1] + w * (s->angle[low] - s->angle[low - 1]);
+}
+
 void um_geometry_joint_angles(const struct um_geometry *geometry, struct um_vec3 sun_body,
-                              double *angles)
+                              double t_tai, double *angles)
 {
   for (size_t i = 0; i < geometry->npart; i++) {
     size_t k = geometry->order[i];
@@ -77,6 +96,7 @@ void um_geometry_joint_angles(const struct um_geometry *geometry, struct um_vec3
       struct um_vec3 s = um_quat_apply(frame_of(geometry, k, angles).q, sun_body);
       angle += sun_angle(part->joint_axis, part->joint_normal, s);
     }
+    if (part->joint_kind == UM_JOINT_SCHEDULE) angle += scheduled(&part->schedule, t_tai);
     angles[part->joint] = angle;
   }
 }

@@ -51,7 +51,7 @@ enum um_status um_output_write_obj(struct um_context *context, const struct um_m
   if (njoint > 0) {
     UM_CHECK(um_core_allocate(context, njoint, sizeof *angles, &angles));
     UM_CHECK(um_model_sample_at(context, model, model->scenario->time->start, &s));
-    um_geometry_joint_angles(geometry, um_quat_apply(s.q, s.sun), angles);
+    um_geometry_joint_angles(geometry, um_quat_apply(s.q, s.sun), s.t_tai, angles);
   }
   UM_CHECK(um_geometry_pose_create(context, geometry, angles, &pose));
   um_orbit_time_format(model->scenario->time->start, utc);

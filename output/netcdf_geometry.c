@@ -86,7 +86,8 @@ enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w)
   const enum um_output_dimension vx[2] = {UM_NC_VERTEX, UM_NC_XYZ}, f = UM_NC_FACET;
   const struct um_environment_sample *first = &w->run->tables->sample[w->run->tables->nsub / 2];
   UM_CHECK(um_core_allocate(w->context, njoint, sizeof *angles, &angles));
-  um_geometry_joint_angles(w->run->model->geometry, um_quat_apply(first->q, first->sun), angles);
+  um_geometry_joint_angles(w->run->model->geometry, um_quat_apply(first->q, first->sun),
+                           first->t_tai, angles);
   UM_CHECK(um_geometry_pose_create(w->context, w->run->model->geometry, angles, &pose));
   UM_CHECK(um_core_allocate(w->context, 3 * mesh->nvertex, sizeof *xyz, &xyz));
   for (size_t i = 0; i < mesh->nvertex; i++) {

@@ -86,7 +86,7 @@ static enum um_status pose_at(struct scene *s, size_t i, double *angle,
 {
   const struct um_geometry *geometry = s->model->geometry;
   const struct um_environment_sample *now = &s->sample[i];
-  um_geometry_joint_angles(geometry, um_quat_apply(now->q, now->sun), angle);
+  um_geometry_joint_angles(geometry, um_quat_apply(now->q, now->sun), now->t_tai, angle);
   return um_geometry_pose_create(s->w->context, geometry, angle, out);
 }
 

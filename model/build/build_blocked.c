@@ -24,7 +24,8 @@ static enum um_status angles_at_start(struct um_context *context, const struct u
   UM_TRY(um_core_allocate(context, um_geometry_joint_count(model->geometry), sizeof **out, out));
   UM_TRY(um_model_blame_table(
       context, model, um_model_sample_at(context, model, model->scenario->time->start, &sample)));
-  um_geometry_joint_angles(model->geometry, um_quat_apply(sample.q, sample.sun), *out);
+  um_geometry_joint_angles(model->geometry, um_quat_apply(sample.q, sample.sun), sample.t_tai,
+                           *out);
   return UM_OK;
 }
 

@@ -62,7 +62,25 @@ static struct um_quat rotation_of(const double deg[3])
   return um_quat_then(um_quat_then(z, y), x);
 }
 
-static enum um_status place_of(struct um_context *context, const struct um_scenario_part *from,
+static enum um_status schedule_of(struct um_context *context, struct um_model *model,
+                                  const struct um_scenario_joint *joint,
+                                  struct um_geometry_part_spec *to)
+{
+  static const struct um_model_series_kind kind = {
+      "schedule", "angle_deg", UM_DEG, "the first and the last angle hold outside of them"};
+  struct um_model_series series;
+  if (joint->schedule == NULL) return UM_OK;
+  if (joint->track == 1)
+    return um_model_fail(context, &joint->at, "schedule",
+                         "stands beside track: sun; accepted: one of them");
+  UM_TRY(um_model_series_read(context, model, &joint->at, joint->schedule, &kind, &series));
+  to->joint = UM_JOINT_SCHEDULE;
+  to->schedule = (struct um_geometry_schedule){series.nrow, series.t, series.value};
+  return UM_OK;
+}
+
+static enum um_status place_of(struct um_context *context, struct um_model *model,
+                               const struct um_scenario_part *from,
                                struct um_geometry_part_spec *to)
 {
   to->parent = from->parent;
@@ -80,7 +98,7 @@ static enum um_status place_of(struct um_context *context, const struct um_scena
   if (to->joint == UM_JOINT_SUN)
     UM_TRY(
         um_model_unit(context, &from->joint->at, "normal", from->joint->normal, &to->joint_normal));
-  return UM_OK;
+  return schedule_of(context, model, from->joint, to);
 }
 
 /* outside/front/back become the skin of all groups; `materials` those of single groups. */
@@ -120,7 +138,7 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
   shape_of(from, to);
   if (to->shape == UM_SHAPE_MESH)
     UM_TRY(um_model_resolve(context, model, &from->mesh->at, from->mesh->file, &to->mesh_path));
-  UM_TRY(place_of(context, from, to));
+  UM_TRY(place_of(context, model, from, to));
   UM_TRY(skins_of(context, model, from, to));
   double size =
       isnan(from->facet_size_m) ? model->scenario->thermal->facet_size_m : from->facet_size_m;

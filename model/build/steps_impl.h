@@ -155,6 +155,22 @@ enum um_status um_model_build_network(struct um_context *context, struct um_mode
                                       const struct um_scenario_part *part, uint32_t index,
                                       struct um_thermal_part_spec *to);
 
+/* Numbers by time from a file, owned by the model. */
+struct um_model_series {
+  size_t nrow;
+  double *t;     /* [nrow] ascending, two at one time being a jump; t_tai [s] */
+  double *value; /* [nrow] */
+};
+struct um_model_series_kind {
+  const char *key, *column; /* of the scenario; of the file */
+  double unit;              /* what a number of the file is [its SI unit] */
+  const char *outside;      /* what holds before the first row and after the last, in words */
+};
+/* From the file of a key, CSV of time_utc and the column. UM_ERR_INPUT with file and line. */
+enum um_status um_model_series_read(struct um_context *context, struct um_model *model,
+                                    const struct um_mark *at, const char *file,
+                                    const struct um_model_series_kind *kind,
+                                    struct um_model_series *out);
 /* A power history from the file of a key `power_file`; *out is owned by the
  * document, NULL without a file. at: the mapping that holds the key. */
 enum um_status um_model_power_history(struct um_context *context, struct um_model *model,

@@ -23,7 +23,8 @@ static enum um_status body_reach(struct um_context *context, const struct um_mod
   double *angles = NULL;
   UM_CHECK(
       um_core_allocate(context, um_geometry_joint_count(model->geometry), sizeof *angles, &angles));
-  um_geometry_joint_angles(model->geometry, um_quat_apply(sample->q, sample->sun), angles);
+  um_geometry_joint_angles(model->geometry, um_quat_apply(sample->q, sample->sun), sample->t_tai,
+                           angles);
   UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &pose));
   *out = 0.0;
   for (size_t i = 0; i < mesh->nvertex; i++) *out = fmax(*out, um_vec3_norm(pose->vertex[i]));

@@ -22,7 +22,7 @@ static enum um_status angles_make(struct um_context *context, const struct um_mo
   UM_TRY(um_core_allocate(context, ntime * njoint, sizeof **out, out));
   for (size_t k = 0; k < ntime; k++)
     um_geometry_joint_angles(model->geometry, um_quat_apply(samples[k].q, samples[k].sun),
-                             *out + k * njoint);
+                             samples[k].t_tai, *out + k * njoint);
   return UM_OK;
 }
 

@@ -210,7 +210,8 @@ struct um_scenario_pose {
 struct um_scenario_joint {
   struct um_mark at;
   double axis[3], normal[3], angle_deg;
-  int track; /* 0 none, 1 sun */
+  int track;            /* 0 none, 1 sun */
+  const char *schedule; /* a file, or NULL */
 };
 struct um_scenario_skin { /* group -> material, or {front, back} */
   struct um_mark at;

@@ -64,10 +64,13 @@ static const char *const track_choices[] = {"none", "sun", NULL};
 static const struct um_schema_field joint_fields[] = {
     F(axis, UM_SCHEMA_VECTOR, REQUIRED, .length = 3, HELP("in the part, through its origin")),
     F(angle_deg, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-360, 360),
-      HELP("fixed turn, or offset when tracking")),
+      HELP("fixed turn, or added to what tracking or schedule say")),
     F(track, UM_SCHEMA_CHOICE, DEFAULT(0), .choices = track_choices, HELP("what to follow")),
     F(normal, UM_SCHEMA_VECTOR, DEFAULT(0.0), .length = 3,
       HELP("direction of the part turned toward what is tracked")),
+    F(schedule, UM_SCHEMA_TEXT, NAMES_FILE,
+      HELP("CSV time_utc,angle_deg: linear between rows, a jump where two rows have one time, the "
+           "first and the last held outside; not when tracking")),
 };
 #undef OF
 SHARED_OBJECT(um_model_joint_schema, struct um_scenario_joint, "joint", "One-axis joint.",

@@ -47,7 +47,8 @@ enum um_status um_optics_posed_scenes_prepare(struct um_context *context,
   for (size_t i = 0; i < count; i++) {
     struct um_optics_posed_scene *next = &scenes->posed[scenes->nposed];
     UM_TRY(um_core_allocate(context, njoint, sizeof *next->angle, &next->angle));
-    um_geometry_joint_angles(geometry, um_quat_apply(samples[i].q, samples[i].sun), next->angle);
+    um_geometry_joint_angles(geometry, um_quat_apply(samples[i].q, samples[i].sun),
+                             samples[i].t_tai, next->angle);
     const struct um_optics_posed_scene *last = scenes->nposed > 0 ? next - 1 : NULL;
     bool same = last != NULL && memcmp(last->angle, next->angle, njoint * sizeof *next->angle) == 0;
     if (same) {

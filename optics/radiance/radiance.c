@@ -181,7 +181,8 @@ void um_optics_turn(const struct um_optics_spectra *spectra, const struct um_opt
                     const struct um_optics_instant *instant, struct um_optics_work *work)
 {
   if (!spectra->grain) return;
-  um_geometry_joint_angles(scene->geometry, instant->sun_body, work->angle);
+  um_geometry_joint_angles(scene->geometry, instant->sun_body, scene->samples[instant->time].t_tai,
+                           work->angle);
   um_geometry_part_rotations(scene->geometry, spectra->njoint > 0 ? work->angle : NULL,
                              work->rotation);
 }

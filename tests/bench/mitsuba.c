@@ -72,7 +72,7 @@ static void instant_write(const struct bench *bench, const char *folder,
   struct um_vec3 o = um_quat_apply(sample->q, sample->to_observer);
   struct um_vec3 s = um_quat_apply(sample->q, sample->sun);
   bool joints = um_geometry_joint_count(geometry) > 0;
-  um_geometry_joint_angles(geometry, s, angle);
+  um_geometry_joint_angles(geometry, s, 0.0, angle);
   bench_must(bench,
              um_geometry_pose_create(bench->context, geometry, joints ? angle : NULL, &pose));
   snprintf(path, sizeof path, "%s/instant-%d.txt", folder, k);

@@ -98,7 +98,7 @@ static void array_angle_offsets_tracking(void **state)
     double expected = sqrt(1.0 - sun.y * sun.y) * cos(10.0 * UM_DEG);
     struct um_geometry_pose *pose = NULL;
     double angle;
-    um_geometry_joint_angles(a.model->geometry, sun, &angle);
+    um_geometry_joint_angles(a.model->geometry, sun, 0.0, &angle);
     assert_int_equal(um_geometry_pose_create(case_context(), a.model->geometry, &angle, &pose),
                      UM_OK);
     for (size_t s = 0; s < mesh->nsurface; s++)

@@ -76,7 +76,7 @@ static void fixed_joint(void **state)
   assert_int_equal(um_geometry_joint_count(s.geometry), 1);
   assert_false(um_geometry_joint_moves(s.geometry));
   double angle = 7.0;
-  um_geometry_joint_angles(s.geometry, um_vec3(0, 0, 1), &angle);
+  um_geometry_joint_angles(s.geometry, um_vec3(0, 0, 1), 0.0, &angle);
   assert_close(angle, 0.5 * UM_PI, 0.0);
   /* +90 degrees about y turns x to -z and z to x */
   assert_vector(centre_of(&s, s.pose, 1), 0, 0, -3);
@@ -107,7 +107,7 @@ static void sun_joint_tracks(void **state)
     double u[2], angle;
     um_core_sample_2d(3, i, u);
     struct um_vec3 sun = um_core_sample_cosine(u, um_vec3(0, 0, i % 2 == 0 ? 1 : -1));
-    um_geometry_joint_angles(s.geometry, sun, &angle);
+    um_geometry_joint_angles(s.geometry, sun, 0.0, &angle);
     struct um_geometry_pose *pose;
     assert_int_equal(um_geometry_pose_create(s.context, s.geometry, &angle, &pose), UM_OK);
     double along = um_vec3_dot(axis, sun);
@@ -116,7 +116,7 @@ static void sun_joint_tracks(void **state)
     um_geometry_pose_destroy(s.context, &pose);
   }
   double angle;
-  um_geometry_joint_angles(s.geometry, axis, &angle);
+  um_geometry_joint_angles(s.geometry, axis, 0.0, &angle);
   assert_close(angle, 0.0, 0.0); /* the Sun along the axis */
   support_destroy(&s);
 }
@@ -137,7 +137,7 @@ static void nested_sun_joints(void **state)
     double u[2], angles[2];
     um_core_sample_2d(4, i, u);
     struct um_vec3 sun = um_core_sample_cosine(u, um_vec3(0, 0, i % 2 == 0 ? 1 : -1));
-    um_geometry_joint_angles(s.geometry, sun, angles);
+    um_geometry_joint_angles(s.geometry, sun, 0.0, angles);
     struct um_geometry_pose *pose;
     assert_int_equal(um_geometry_pose_create(s.context, s.geometry, angles, &pose), UM_OK);
     assert_close(um_vec3_dot(normal_of(&s, pose, 0), sun), 1.0, 1e-13);
@@ -154,16 +154,46 @@ static void sun_joint_offset(void **state)
   wing.joint_angle = 0.3;
   struct support s = support_create(&wing, 1);
   double angle;
-  um_geometry_joint_angles(s.geometry, um_vec3(1, 0, 0), &angle);
+  um_geometry_joint_angles(s.geometry, um_vec3(1, 0, 0), 0.0, &angle);
   assert_close(angle, 0.5 * UM_PI + 0.3, 1e-15);
+  support_destroy(&s);
+}
+
+/* By time: linear, the later row of a jump, the ends held; the joint's own angle is added. */
+static void scheduled_joint(void **state)
+{
+  (void)state;
+  const double t[] = {10, 20, 20, 30}, turn[] = {0, 1, 2, 4};
+  static const struct {
+    double t, angle;
+  } at[] = {{-INFINITY, 0.0}, {10, 0.0}, {15, 0.5}, {20, 2.0}, {25, 3.0}, {30, 4.0}, {99, 4.0}};
+  struct um_geometry_part_spec wing = support_plate("wing", 2, 1, um_vec3(0, 3, 0));
+  wing.joint = UM_JOINT_SCHEDULE;
+  wing.joint_axis = um_vec3(0, 1, 0);
+  wing.joint_angle = 0.25;
+  wing.schedule = (struct um_geometry_schedule){4, t, turn};
+  struct support s = support_create(&wing, 1);
+  assert_true(um_geometry_joint_moves(s.geometry));
+  for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+    double angle;
+    um_geometry_joint_angles(s.geometry, um_vec3(0, 0, 1), at[i].t, &angle);
+    assert_close(angle, at[i].angle + 0.25, 1e-15);
+  }
+  const double later[] = {0, 1, 2, 5};
+  wing.schedule.angle = later;
+  struct support other = support_create(&wing, 1);
+  assert_true(um_geometry_equal(s.geometry, s.geometry));
+  assert_false(um_geometry_equal(s.geometry, other.geometry));
+  support_destroy(&other);
   support_destroy(&s);
 }
 
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(passive_rotation),  cmocka_unit_test(nested_parents),
-      cmocka_unit_test(fixed_joint),       cmocka_unit_test(sun_joint_tracks),
-      cmocka_unit_test(nested_sun_joints), cmocka_unit_test(sun_joint_offset)};
+      cmocka_unit_test(scheduled_joint),  cmocka_unit_test(passive_rotation),
+      cmocka_unit_test(nested_parents),   cmocka_unit_test(fixed_joint),
+      cmocka_unit_test(sun_joint_tracks), cmocka_unit_test(nested_sun_joints),
+      cmocka_unit_test(sun_joint_offset)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -107,7 +107,7 @@ static enum um_status tracer_prepare(struct tracer *t)
   UM_TRY(
       um_core_allocate(t->context, BATCH * t->mesh->nsurface, sizeof *t->fraction, &t->fraction));
   find_bright(t);
-  um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->angles);
+  um_geometry_joint_angles(t->geometry, sun_body(&t->samples[0]), t->samples[0].t_tai, t->angles);
   UM_TRY(scene_create(t, t->njoint == 0 ? NULL : t->angles, &t->fixed));
   return earth_prepare(t);
 }
@@ -268,7 +268,8 @@ static enum um_status trace_batch(struct tracer *t, size_t from, size_t n)
   struct um_thermal_scene own[BATCH] = {{0}};
   enum um_status status = t->spin != NULL ? attitudes_ask(t, from, n) : UM_OK;
   for (size_t i = 0; i < n && t->moves && status == UM_OK; i++) {
-    um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]), t->angles);
+    um_geometry_joint_angles(t->geometry, sun_body(&t->samples[from + i]),
+                             t->samples[from + i].t_tai, t->angles);
     status = scene_create(t, t->angles, &own[i]);
   }
   if (status == UM_OK) {

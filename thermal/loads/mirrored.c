@@ -107,7 +107,7 @@ static enum um_status prepare(struct tracer *t, size_t points)
   }
   if (t->moves) return UM_OK;
   um_geometry_joint_angles(t->geometry, um_quat_apply(t->samples[0].q, t->samples[0].sun),
-                           t->angles);
+                           t->samples[0].t_tai, t->angles);
   UM_TRY(um_geometry_pose_create(context, t->geometry,
                                  um_geometry_joint_count(t->geometry) == 0 ? NULL : t->angles,
                                  &t->fixed));
@@ -133,7 +133,7 @@ static enum um_status slot_begin(struct tracer *t, size_t row, struct slot *s)
   s->visibility = t->scene;
   if (!t->moves || !s->bright) return UM_OK;
   um_geometry_joint_angles(t->geometry, um_quat_apply(t->samples[row].q, t->samples[row].sun),
-                           t->angles);
+                           t->samples[row].t_tai, t->angles);
   UM_TRY(um_geometry_pose_create(t->context, t->geometry, t->angles, &s->pose));
   return um_geometry_visibility_create(t->context, t->mesh, s->pose, &s->visibility);
 }

@@ -98,7 +98,8 @@ enum um_status um_irradiation_sky_create(struct um_context *context,
                         "one sky of a body whose joints move; accepted: joints that stand still");
   UM_CHECK(um_core_allocate(context, 1, sizeof *sky, &sky));
   UM_CHECK(um_core_allocate(context, njoint, sizeof *angles, &angles));
-  um_geometry_joint_angles(geometry, um_vec3(0, 0, 1), angles); /* wherever the Sun is */
+  um_geometry_joint_angles(geometry, um_vec3(0, 0, 1), 0.0,
+                           angles); /* wherever the Sun is, at any time */
   UM_CHECK(um_geometry_pose_create(context, geometry, njoint == 0 ? NULL : angles, &pose));
   UM_CHECK(look(context, um_geometry_mesh(geometry), pose, sky));
   *out = sky;

@@ -8,7 +8,8 @@
 #include "thermal/network/builder_impl.h"
 #include "thermal/network/tetgen.h"
 
-/* The pose in which parts touch: FIXED joints at their angle, Sun-following joints at 0. A joint
+/* The pose in which parts touch: FIXED joints at their angle, scheduled ones at their
+ * first, Sun-following joints at 0. A joint
  * whose angle is the same for three Sun directions does not follow the Sun. */
 static enum um_status rest_pose(struct um_thermal_builder *b)
 {
@@ -18,9 +19,9 @@ static enum um_status rest_pose(struct um_thermal_builder *b)
   enum um_status status;
   UM_CHECK(um_core_allocate(b->context, n, sizeof *angles, &angles));
   UM_CHECK(um_core_allocate(b->context, 2 * n, sizeof *other, &other));
-  um_geometry_joint_angles(b->geometry, um_vec3(1, 0, 0), angles);
-  um_geometry_joint_angles(b->geometry, um_vec3(0, 1, 0), other);
-  um_geometry_joint_angles(b->geometry, um_vec3(0, 0, 1), other + n);
+  um_geometry_joint_angles(b->geometry, um_vec3(1, 0, 0), -INFINITY, angles);
+  um_geometry_joint_angles(b->geometry, um_vec3(0, 1, 0), -INFINITY, other);
+  um_geometry_joint_angles(b->geometry, um_vec3(0, 0, 1), -INFINITY, other + n);
   for (size_t j = 0; j < n; j++)
     if (!(angles[j] == other[j] && angles[j] == other[n + j])) angles[j] = 0.0;
   UM_CHECK(um_geometry_pose_create(b->context, b->geometry, angles, &b->pose));
