@@ -40,13 +40,15 @@
 #define BORROWED 0.19e-6
 
 /* Temperature near the ground, of glowing ozone [K], water [mm], ozone [DU] (Anderson et al. 1986,
- * AFGL-TR-86-0110; the second fitted). */
+ * AFGL-TR-86-0110). Of ozone's the standard's is that of its layer; the others are as much warmer
+ * and colder as fits of their columns have them, which say no more: 10 K more all round fit as
+ * well. */
 static const struct {
   double temperature, ozone_temperature, water, ozone;
 } profiles[UM_SKY_PROFILES] = {
-    [UM_SKY_US_STANDARD] = {288.2, 243.4, 14.18, 344.0},
-    [UM_SKY_MID_LATITUDE_SUMMER] = {294.2, 256.2, 29.2, 332.0},
-    [UM_SKY_MID_LATITUDE_WINTER] = {272.2, 237.7, 8.53, 377.0},
+    [UM_SKY_US_STANDARD] = {288.2, 234.0, 14.18, 344.0},
+    [UM_SKY_MID_LATITUDE_SUMMER] = {294.2, 247.0, 29.2, 332.0},
+    [UM_SKY_MID_LATITUDE_WINTER] = {272.2, 229.0, 8.53, 377.0},
 };
 
 struct um_environment_clear_sky um_environment_clear_sky_of(enum um_environment_sky_profile profile,

@@ -42,7 +42,7 @@ bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky,
 double um_environment_clear_sky_transmission(const struct um_environment_clear_sky *sky,
                                              double from, double to, double airmass);
 /* Radiance of that path downward, mean between two wavelengths [W/m^2/sr/m]: its own heat, and no
- * scattered light (sky_light.h) or heat. To 6 % of LOWTRAN7 in 5 1/cm. */
+ * scattered light (sky_light.h) or heat. To 7 % of LOWTRAN7 in 2 1/cm. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
 

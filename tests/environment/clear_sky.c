@@ -117,6 +117,18 @@ static void test_limits(void **state)
   assert_false(um_environment_clear_sky_covers(&sky, 8e-6, 15e-6));
 }
 
+/* A dry site at 3 km with 2.5 mm of water: ESO's SkyCalc has 0.461 W/m^2/sr/um, its band taken as
+ * 8-13 um; asked: 10 %. The columns of the fit all begin at sea level. */
+static void test_high_site(void **state)
+{
+  (void)state;
+  struct um_environment_clear_sky sky = um_environment_clear_sky_of(UM_SKY_US_STANDARD, 3000.0);
+  sky.water = 2.5;
+  double glow = 1e-6 * um_environment_clear_sky_radiance(&sky, 8e-6, 13e-6, 1.0);
+  print_message("dry site at 3 km, 8-13 um: %.3f W/m2/sr/um\n", glow);
+  assert_close(glow / 0.461, 1.0, 0.10);
+}
+
 #define HEAD "zenith_deg,wavelength_um,transmission,radiance_W_m2_sr_um\n"
 
 static enum um_status read_text(const char *text, char path[UM_TEST_PATH],
@@ -185,7 +197,8 @@ static void test_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_lowtran), cmocka_unit_test(test_band),    cmocka_unit_test(test_limits),
+      cmocka_unit_test(test_lowtran), cmocka_unit_test(test_band),
+      cmocka_unit_test(test_limits),  cmocka_unit_test(test_high_site),
       cmocka_unit_test(test_table),   cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
