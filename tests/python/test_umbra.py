@@ -336,7 +336,7 @@ class Page(unittest.TestCase):
             self.addCleanup(os.chdir, here)
             with open(os.devnull, "w") as null, contextlib.redirect_stdout(null):
                 exec(compile(shown, "docs/python.md", "exec"), {})
-            self.assertTrue(os.path.exists("out/warm-bus/lightcurve.csv"))
+            self.assertTrue(os.path.exists("out/silver/lightcurve.csv"))
             os.chdir(here)
 
 
