@@ -35,7 +35,7 @@ static int run(struct um_context *context, const struct um_app_verb *verb,
 {
   enum um_status status;
   if (!verb->unrecorded) {
-    UM_CHECK(um_core_replay_begin(context, UM_APP_VERSION, argv + 1, (size_t)argc - 1));
+    UM_CHECK(um_core_replay_begin(context, UM_APP_VERSION, o->command, argv + 1, (size_t)argc - 1));
     if (o->replay != NULL)
       UM_CHECK(um_app_check_whole(context, o->replay, o->force, UM_APP_RECORDS));
   }

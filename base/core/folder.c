@@ -269,7 +269,7 @@ static enum um_status prepare_given(struct um_context *context, struct um_core_f
 static enum um_status write_replay(struct um_context *context, struct um_core_folder *f)
 {
   FILE *file;
-  if (!um_core_replay_is_on(context)) return UM_OK;
+  if (um_core_replay_command(context) == NULL) return UM_OK;
   UM_TRY(um_core_folder_open(context, f, UM_CORE_REPLAY_FILE, &file));
   um_core_replay_write(context, file);
   return um_core_file_close(context, UM_CORE_REPLAY_FILE, &file);

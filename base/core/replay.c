@@ -23,7 +23,7 @@ struct input {
 };
 
 struct um_core_replay {
-  const char *version;
+  const char *version, *command;
   char *const *argument; /* [nargument] */
   size_t nargument;
   char *folder;
@@ -48,12 +48,13 @@ static enum um_status working_folder(struct um_context *context, char **out)
 }
 
 enum um_status um_core_replay_begin(struct um_context *context, const char *version,
-                                    char *const *argument, size_t nargument)
+                                    const char *command, char *const *argument, size_t nargument)
 {
   struct um_core_replay **record = um_core_context_replay(context);
   um_core_replay_end(context);
   UM_TRY(um_core_allocate(context, 1, sizeof **record, record));
   (*record)->version = version;
+  (*record)->command = command;
   (*record)->argument = argument;
   (*record)->nargument = nargument;
   enum um_status status = working_folder(context, &(*record)->folder);
@@ -71,9 +72,10 @@ void um_core_replay_end(struct um_context *context)
   *record = NULL;
 }
 
-bool um_core_replay_is_on(struct um_context *context)
+const char *um_core_replay_command(struct um_context *context)
 {
-  return *um_core_context_replay(context) != NULL;
+  const struct um_core_replay *r = *um_core_context_replay(context);
+  return r != NULL ? r->command : NULL;
 }
 
 enum um_status um_core_descriptor_digest(struct um_context *context, const char *path,

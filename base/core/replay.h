@@ -13,14 +13,14 @@
 #define UM_CORE_REPLAY_DIGEST 17 /* room for a digest as text [bytes] */
 
 /* A command begins, run in the working folder of now; what was noted of one before is forgotten.
- * version: of the program. argument: [nargument] the verb and what stood behind it. Texts are
- * borrowed until the end. UM_ERR_MEMORY. */
+ * version: of the program. command: as typed. argument: [nargument] the verb and what stood behind
+ * it. Texts are borrowed until the end. UM_ERR_MEMORY. */
 enum um_status um_core_replay_begin(struct um_context *context, const char *version,
-                                    char *const *argument, size_t nargument);
+                                    const char *command, char *const *argument, size_t nargument);
 /* Forget it. Does not fail. */
 void um_core_replay_end(struct um_context *context);
-/* Is a command on record? */
-bool um_core_replay_is_on(struct um_context *context);
+/* The command on record, as typed; NULL: none is. Borrowed. */
+const char *um_core_replay_command(struct um_context *context);
 /* A plain file was opened for reading, at its begin: it is an input, as it is now, on record the
  * first time. The place in the file stays. For the thread of the context alone. UM_ERR_MEMORY,
  * UM_ERR_IO, UM_ERR_CANCELLED. */

@@ -19,7 +19,7 @@
 struct um_page;
 
 struct um_page_head {
-  const char *command;      /* as typed */
+  const char *command;      /* where none is on record (base/core/replay.h) */
   const char *kind, *title; /* "run"; of the page */
   const char *about;        /* what the title ends in, ": what moves it"; NULL: nothing */
   const char *token;        /* of umbra serve, which brings the page; NULL: it is a file */

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "base/core/replay.h"
 #include "base/plot/plot.h"
 
 /* Into the folder, or where there is none into the file. */
@@ -14,7 +15,9 @@ static enum um_status make(struct um_context *context, const struct um_page_head
   enum um_status status;
   struct um_page_writer w = {.context = context,
                              .folder = folder != NULL ? um_core_folder_path(folder) : NULL};
-  UM_CHECK(um_page_create(context, head, &w.page));
+  struct um_page_head typed = *head;
+  if (um_core_replay_command(context) != NULL) typed.command = um_core_replay_command(context);
+  UM_CHECK(um_page_create(context, &typed, &w.page));
   UM_CHECK(fill(&w, of));
   status = folder != NULL ? um_page_write_report(context, w.page, folder)
                           : um_page_write(context, w.page, file);

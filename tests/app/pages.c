@@ -116,6 +116,7 @@ static void test_cases(void **state)
   command_expect(0, "cases", BOX, "--out", "free", "--no-plots", NULL);
   json = document("free/report.html");
   EXPECT(json, "states no limits", "\"name\": \"bus\"");
+  assert_non_null(strstr(json, "\"umbra cases box.yaml --out free --no-plots\""));
   assert_null(strstr(json, "\"minimum\":")); /* no stroke where there is no limit */
   free(json);
 }

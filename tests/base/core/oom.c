@@ -104,7 +104,7 @@ static enum um_status use_record(struct um_context *context)
   FILE *file = fopen("oom-a", "wb");
   assert_non_null(file);
   assert_int_equal(fclose(file), 0);
-  UM_CHECK(um_core_replay_begin(context, "1", command, 2));
+  UM_CHECK(um_core_replay_begin(context, "1", "umbra run", command, 2));
   UM_CHECK(um_core_replay_leave_out(context, "/usr"));
   UM_CHECK(um_core_file_check(context, "oom-a"));
   UM_CHECK(um_core_folder_begin(context, "oom-out", false, &folder));

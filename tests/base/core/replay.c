@@ -1,5 +1,4 @@
-/* The record of a command and of what it read. Everything happens in a fresh folder below the
- * working folder of the test. */
+/* The record of a command and of what it read. Everything happens in a fresh folder. */
 #include "base/core/replay.h"
 
 #include <stdio.h>
@@ -11,15 +10,16 @@
 #include "base/core/file.h"
 #include "base/core/file_snapshot.h"
 #include "tests/support/cmocka_all.h"
+#include "tests/support/temporary.h"
 
 static struct um_context *context;
-static char base[] = "umbra-test-XXXXXX";
+static char base[UM_TEST_PATH];
 static char *command[] = {(char *)"run", (char *)"a\"b"};
 
 static int set_up(void **state)
 {
   (void)state;
-  if (mkdtemp(base) == NULL || chdir(base) != 0) return -1;
+  if (um_test_folder_create(base) != 0 || chdir(base) != 0) return -1;
   return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
 }
 
@@ -28,7 +28,7 @@ static int tear_down(void **state)
   (void)state;
   um_core_replay_end(context);
   um_core_context_destroy(&context);
-  return chdir("..") == 0 && rmdir(base) == 0 ? 0 : -1;
+  return chdir("..") == 0 ? um_test_folder_remove(base) : -1;
 }
 
 static void write_file(const char *path, const char *text)
@@ -76,7 +76,7 @@ static void test_inputs(void **state)
   write_file("a", "a");
   write_file("foobar", "foobar");
   read_file("a"); /* before the command */
-  assert_int_equal(um_core_replay_begin(context, "1.2.3", command, 2), UM_OK);
+  assert_int_equal(um_core_replay_begin(context, "1.2.3", "umbra run", command, 2), UM_OK);
   expect_inputs("\"inputs\": []}\n");
   read_file("foobar");
   read_file("none");
@@ -97,7 +97,7 @@ static void test_inputs(void **state)
   expect_inputs("\"inputs\": [\n"
                 "  {\"path\": \"none\", \"bytes\": 0, \"fnv1a64\": \"cbf29ce484222325\"}\n ]}\n");
   /* a command of its own */
-  assert_int_equal(um_core_replay_begin(context, "1.2.3", command, 2), UM_OK);
+  assert_int_equal(um_core_replay_begin(context, "1.2.3", "umbra run", command, 2), UM_OK);
   expect_inputs("\"inputs\": []}\n");
   remove("none");
   remove("a");
@@ -112,7 +112,7 @@ static void test_left_out(void **state)
   assert_int_equal(mkdir("lib", 0777), 0);
   write_file("lib/x", "x");
   write_file("library", "x");
-  assert_int_equal(um_core_replay_begin(context, "1", command, 1), UM_OK);
+  assert_int_equal(um_core_replay_begin(context, "1", "umbra run", command, 1), UM_OK);
   assert_int_equal(um_core_replay_leave_out(context, "lib"), UM_OK);
   assert_int_equal(um_core_replay_leave_out(context, "lib"), UM_OK);
   assert_int_equal(um_core_file_open(context, "missing", &file), UM_ERR_IO);
@@ -142,7 +142,7 @@ static void test_folder(void **state)
   um_core_replay_end(context);
   make_folder();
   assert_int_not_equal(access("out/replay.json", F_OK), 0);
-  assert_int_equal(um_core_replay_begin(context, "1.2.3", command, 2), UM_OK);
+  assert_int_equal(um_core_replay_begin(context, "1.2.3", "umbra run", command, 2), UM_OK);
   make_folder();
   um_core_replay_end(context);
   char *text;
