@@ -11,11 +11,10 @@ const struct um_effect um_effects_earthlight_lobe = {
     .name = "earthlight_lobe",
     .summary = "Smooth surfaces mirror the Earth, its sunlit ground and its infrared",
     .reference = "Cook & Torrance 1982; Walter et al. 2007, Eurographics Symposium on Rendering",
-    .validity = "materials with a lobe, at the wavelengths at which their records state one, grey "
-                "ones below "
-                "2.5 um; the Earth's infrared as bright over the whole cap as before the surface, "
-                "its albedo as over the lit cap; what "
-                "the satellite hides of the Earth is taken alike from the whole lobe",
+    .validity =
+        "materials with a lobe, at the wavelengths at which their records state one, grey ones "
+        "below 2.5 um; an Earth that varies is looked up where the lobe looks; what the "
+        "satellite hides of the Earth is taken alike from the whole lobe",
     .separated_by = "earth_brightness and band_emissivity: infrared of a smooth side that mirrors "
                     "space falls to its own emission, while the same side seen with the Earth in "
                     "its mirror direction keeps all of it",

@@ -72,8 +72,8 @@ bool um_environment_clear_sky_covers(const struct um_environment_clear_sky *sky,
                                      double to)
 {
   if (sky->table != NULL) return um_environment_sky_table_covers(sky->table, from, to);
-  double longest = 1.0 / UM_INFRARED_FROM;
-  double shortest = 1.0 / (UM_INFRARED_FROM + UM_INFRARED_STEP * (UM_INFRARED_NODES - 1));
+  double longest = 1.0 / UM_INFRARED_FIRST;
+  double shortest = 1.0 / (UM_INFRARED_FIRST + UM_INFRARED_STEP * (UM_INFRARED_NODES - 1));
   return (from >= VISIBLE_FROM - EDGE && to <= VISIBLE_TO + EDGE) ||
          (from >= shortest - EDGE && to <= longest + EDGE);
 }
@@ -118,28 +118,26 @@ struct layers {
   double cooling;      /* [K] */
 };
 
-/* At a wavenumber [1/m]; the ends hold beyond them. */
-static struct um_environment_infrared_node node_at(double wavenumber)
+struct um_environment_infrared_depths
+um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
+                               double airmass)
 {
-  double place = fmax(0.0, (wavenumber - UM_INFRARED_FROM) / UM_INFRARED_STEP);
-  size_t c = (size_t)fmin(place, UM_INFRARED_NODES - 2);
-  const struct um_environment_infrared_node *a = &um_environment_infrared_nodes[c], *b = a + 1;
-  double v = fmin(place - (double)c, 1.0), u = 1.0 - v;
-  return (struct um_environment_infrared_node){
-      u * a->uniform + v * b->uniform, u * a->water + v * b->water,
-      u * a->continuum + v * b->continuum, u * a->ozone + v * b->ozone,
-      u * a->cooling + v * b->cooling};
+  double w = 0.1 * sky->water, ozone = sky->ozone_dobson / DOBSON_PER_CM;
+  struct um_environment_infrared_node k = um_environment_infrared_at(1.0 / wavelength);
+  return (struct um_environment_infrared_depths){.uniform = k.uniform * sky->pressure *
+                                                            pow(airmass, CARBON),
+                                                 .water = k.water * pow(w * airmass, LINES),
+                                                 .continuum = k.continuum * w * w * airmass,
+                                                 .ozone = k.ozone * pow(ozone * airmass, OZONE),
+                                                 .cooling = k.cooling};
 }
 
 static struct layers infrared_at(const struct um_environment_clear_sky *sky, double wavelength,
                                  double x)
 {
-  double w = 0.1 * sky->water;
-  struct um_environment_infrared_node k = node_at(1.0 / wavelength);
-  double lower = k.uniform * sky->pressure * pow(x, CARBON) + k.water * pow(w * x, LINES) +
-                 k.continuum * w * w * x + aerosol_depth(sky, wavelength) * x;
-  double ozone = k.ozone * pow(sky->ozone_dobson / DOBSON_PER_CM * x, OZONE);
-  return (struct layers){exp(-lower), exp(-ozone), k.cooling};
+  struct um_environment_infrared_depths d = um_environment_infrared_depths(sky, wavelength, x);
+  double lower = d.uniform + d.water + d.continuum + aerosol_depth(sky, wavelength) * x;
+  return (struct layers){exp(-lower), exp(-d.ozone), d.cooling};
 }
 
 typedef double at_wavelength(const struct um_environment_clear_sky *, double wavelength,

@@ -3,6 +3,9 @@
  * cell by itself, least squares of the transmission. */
 #include "environment/clear_sky_cells_impl.h"
 
+#include <math.h>
+#include <stddef.h>
+
 /* clang-format off */
 const struct um_environment_visible_cell
     um_environment_visible_cells[UM_VISIBLE_CELLS] = {
@@ -177,3 +180,15 @@ const struct um_environment_infrared_node
     {3.194, 0.2812, 0, 12.76, 6.37}, {3.198, 0.2776, 0, 12.9, 6.362},
     {3.198, 0.2756, 0, 15.79, 6.355}};
 /* clang-format on */
+
+struct um_environment_infrared_node um_environment_infrared_at(double wavenumber)
+{
+  double place = fmax(0.0, (wavenumber - UM_INFRARED_FIRST) / UM_INFRARED_STEP);
+  size_t c = (size_t)fmin(place, UM_INFRARED_NODES - 2);
+  const struct um_environment_infrared_node *a = &um_environment_infrared_nodes[c], *b = a + 1;
+  double v = fmin(place - (double)c, 1.0), u = 1.0 - v;
+  return (struct um_environment_infrared_node){
+      u * a->uniform + v * b->uniform, u * a->water + v * b->water,
+      u * a->continuum + v * b->continuum, u * a->ozone + v * b->ozone,
+      u * a->cooling + v * b->cooling};
+}

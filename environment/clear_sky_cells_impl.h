@@ -2,6 +2,8 @@
 #ifndef UMBRA_ENVIRONMENT_CLEAR_SKY_CELLS_IMPL_H
 #define UMBRA_ENVIRONMENT_CLEAR_SKY_CELLS_IMPL_H
 
+#include "environment/clear_sky.h"
+
 /* Cells of 1 nm from 0.562 to 1.1 um; below there are no lines. k_w, k_u (clear_sky.c). */
 #define UM_VISIBLE_FROM  0.562e-6 /* [m] */
 #define UM_VISIBLE_STEP  0.001e-6 /* [m] */
@@ -12,7 +14,7 @@ struct um_environment_visible_cell {
 extern const struct um_environment_visible_cell um_environment_visible_cells[UM_VISIBLE_CELLS];
 
 /* Every 5 1/cm from 700 1/cm, linear between: k_u, k_w, k_c, k_o, d. */
-#define UM_INFRARED_FROM  70000.0 /* [1/m] */
+#define UM_INFRARED_FIRST 70000.0 /* [1/m] */
 #define UM_INFRARED_STEP  500.0   /* [1/m] */
 #define UM_INFRARED_NODES 146
 struct um_environment_infrared_node {
@@ -20,5 +22,16 @@ struct um_environment_infrared_node {
   double cooling;                          /* [K] */
 };
 extern const struct um_environment_infrared_node um_environment_infrared_nodes[UM_INFRARED_NODES];
+/* At a wavenumber [1/m]; the ends hold beyond them. */
+struct um_environment_infrared_node um_environment_infrared_at(double wavenumber);
+
+/* Optical depths of a whole column along a path (clear_sky.c). */
+struct um_environment_infrared_depths {
+  double uniform, water, continuum, ozone; /* [1] */
+  double cooling;                          /* [K] */
+};
+struct um_environment_infrared_depths
+um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
+                               double airmass);
 
 #endif

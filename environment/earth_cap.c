@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "environment/earth_infrared.h"
 #include "environment/earth_varied_impl.h"
 #include "environment/quadrature_impl.h"
 
@@ -36,11 +37,13 @@ size_t um_environment_earth_cap(const struct um_environment *environment,
     double w = sqrt((1.0 - se) * (1.0 + se));
     struct um_environment_earth_ring ring = um_environment_earth_ring(&view, w);
     double solid_angle = cap * um_environment_gauss_8[i].w * width;
+    double anisotropy = ground.spectral ? um_environment_earth_anisotropy(w) : 1.0;
     for (int j = 0; j < CELLS_AROUND; j++) {
       double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
       struct um_vec3 across =
           um_vec3_axpy(um_vec3_scale(view.sunward, cos(phi)), sin(phi), view.side);
-      struct um_environment_ground at = {environment->albedo, environment->outgoing_longwave, 0.0};
+      struct um_environment_ground at = {.albedo = environment->albedo,
+                                         .longwave = environment->outgoing_longwave};
       if (varies)
         at = um_environment_ground_at(&ground, um_environment_earth_ground(&view, &ring, w, phi));
       double lit = um_environment_earth_lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width);
@@ -48,7 +51,7 @@ size_t um_environment_earth_cap(const struct um_environment *environment,
           .direction = um_vec3_axpy(um_vec3_scale(view.nadir, 1.0 - drop), x, across),
           .solid_angle = solid_angle,
           .albedo_radiance = at.albedo * irradiance / UM_PI * lit,
-          .planet_radiance = at.longwave / UM_PI,
+          .planet_radiance = anisotropy * at.longwave / UM_PI,
       };
     }
   }

@@ -17,14 +17,13 @@
 #include "base/core/constants.h"
 #include "base/core/planck.h"
 #include "base/core/wide.h"
+#include "environment/earth_infrared.h"
 #include "environment/quadrature_impl.h"
 
 /* Temperature of a black body of this spectral radiance at UM_EARTH_WINDOW. */
 static double temperature_of(double radiance)
 {
-  double wavelength5 = pow(UM_EARTH_WINDOW, 5.0);
-  if (!(radiance > 0.0)) return 0.0;
-  return UM_RADIATION_C2 / UM_EARTH_WINDOW / log1p(UM_RADIATION_C1L / (wavelength5 * radiance));
+  return um_core_planck_temperature(UM_EARTH_WINDOW, radiance);
 }
 
 /* Sums of the cap before a plate that faces nadir. */
@@ -42,6 +41,8 @@ static void ring_make(const struct um_environment_earth_view *view,
   struct um_environment_earth_ring ring = um_environment_earth_ring(view, w.x);
   double width = 2.0 * UM_PI / UM_EARTH_VARIED_AROUND;
   double solid_angle = w.w * ring.solid_angle * width;
+  double limb = ground->spectral ? um_environment_earth_limb(w.x) : 1.0;
+  double anisotropy = ground->spectral ? um_environment_earth_anisotropy(w.x) : 1.0;
   for (int j = 0; j < UM_EARTH_VARIED_AROUND; j++) {
     int k = first + j;
     double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
@@ -56,13 +57,13 @@ static void ring_make(const struct um_environment_earth_view *view,
     out->z[k] = to.z;
     out->solid_angle[k] = solid_angle;
     out->of_albedo[k] = at.albedo;
-    out->of_planet[k] = at.longwave;
-    out->window[k] = um_core_planck_radiance(UM_EARTH_WINDOW, at.brightness) * solid_angle;
+    out->of_planet[k] = anisotropy * at.longwave;
+    out->window[k] = limb * um_core_planck_radiance(UM_EARTH_WINDOW, at.brightness) * solid_angle;
     double factor = ring.z * solid_angle;
     sums->light += lit[k] * factor;
     sums->albedo += at.albedo * lit[k] * factor;
     sums->factor += factor;
-    sums->longwave += at.longwave * factor;
+    sums->longwave += out->of_planet[k] * factor;
     sums->window += out->window[k] * ring.z;
   }
 }

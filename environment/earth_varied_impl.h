@@ -9,7 +9,6 @@
 #define UM_EARTH_VARIED_RINGS  16
 #define UM_EARTH_VARIED_AROUND 32
 #define UM_EARTH_VARIED_CELLS  (UM_EARTH_VARIED_RINGS * UM_EARTH_VARIED_AROUND)
-#define UM_EARTH_WINDOW        10e-6 /* wavelength that brightness temperatures are averaged at [m] */
 
 struct um_environment_varied {
   double albedo, longwave; /* means over the cap, as a plate that faces nadir sees them */

@@ -35,8 +35,12 @@ struct um_environment {
   double brightness_temperature;         /* [K] in the LWIR window, of the uniform Earth */
   double albedo_factor, longwave_factor; /* of an Earth that is not uniform [1] */
   double brightness_shift;               /* added to its brightness temperature [K] */
-  struct um_environment_region region;   /* where, and when, the level is another */
-  double earth_radius;                   /* [m] of the sphere that loads and reflects */
+  /* of an Earth that is not uniform: infrared by wavelength and angle (earth_infrared.h), or of a
+   * Lambert black body */
+  bool earth_spectrum_on;
+  double mirror_cloud;                 /* added to the cover of cloud where lobes look [1] */
+  struct um_environment_region region; /* where, and when, the level is another */
+  double earth_radius;                 /* [m] of the sphere that loads and reflects */
   enum um_environment_shadow shadow;
   double
       shadow_radius; /* [m] CYLINDER and SPHERE; equatorial radius of OBLATE (WGS-84 flattening) */
@@ -72,6 +76,8 @@ struct um_environment {
 void um_environment_defaults(struct um_environment *out);
 /* Does the Earth differ from place to place, or in time? Then a globe is wanted. */
 bool um_environment_earth_varies(const struct um_environment *environment);
+/* Does its infrared go by wavelength and angle? Such an Earth varies. */
+bool um_environment_earth_is_spectral(const struct um_environment *environment);
 
 /* Solar irradiance [W/m^2] at a distance [m] from the Sun. */
 double um_environment_solar_irradiance(const struct um_environment *environment, double distance);

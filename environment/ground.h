@@ -38,11 +38,13 @@ struct um_environment_globe {
   struct um_vec3 greenwich; /* unit: where prime meridian and equator meet [1] */
 };
 
-/* What a place reflects and emits, as Lambert surface. */
+/* What a place reflects and emits. */
 struct um_environment_ground {
-  double albedo;     /* 0..1 [1] */
-  double longwave;   /* emitted, all wavelengths [W/m^2] */
-  double brightness; /* brightness temperature in 8-12 um [K] */
+  double albedo;     /* of a Lambert surface, 0..1 [1] */
+  double longwave;   /* exitance, all wavelengths [W/m^2] */
+  double brightness; /* brightness temperature in the window, seen from above [K] */
+  double surface;    /* temperature of the ground [K] */
+  double cloud;      /* share that cloud covers, 0..1 [1] */
 };
 
 #endif

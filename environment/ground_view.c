@@ -11,6 +11,7 @@
 #include "base/core/constants.h"
 #include "environment/knocke.h"
 #include "environment/map.h"
+#include "environment/zones.h"
 
 bool um_environment_region_is_neutral(const struct um_environment_region *region)
 {
@@ -23,6 +24,11 @@ bool um_environment_earth_varies(const struct um_environment *environment)
 {
   return environment->earth != UM_EARTH_UNIFORM ||
          !um_environment_region_is_neutral(&environment->region);
+}
+
+bool um_environment_earth_is_spectral(const struct um_environment *environment)
+{
+  return environment->earth_spectrum_on && environment->earth != UM_EARTH_UNIFORM;
 }
 
 /* From 0 to 1 like a cosine while x goes from -width/2 to width/2. */
@@ -43,7 +49,8 @@ struct um_environment_ground_view
 um_environment_ground_view(const struct um_environment *environment,
                            const struct um_environment_globe *globe, double sun_distance)
 {
-  struct um_environment_ground_view view = {.environment = environment};
+  struct um_environment_ground_view view = {
+      .environment = environment, .spectral = um_environment_earth_is_spectral(environment)};
   if (globe == NULL) return view;
   const struct um_environment_region *region = &environment->region;
   double relative = UM_AU / sun_distance;
@@ -78,10 +85,11 @@ static struct um_environment_ground base_at(const struct um_environment_ground_v
 {
   const struct um_environment *e = view->environment;
   if (e->earth == UM_EARTH_UNIFORM)
-    return (struct um_environment_ground){e->albedo, e->outgoing_longwave,
-                                          e->brightness_temperature};
+    return (struct um_environment_ground){
+        e->albedo, e->outgoing_longwave, e->brightness_temperature, e->brightness_temperature, 0.0};
   double sine = fmin(fmax(um_vec3_dot(place, view->pole), -1.0), 1.0);
   struct um_environment_ground ground = knocke_at(view, sine);
+  um_environment_zones(asin(sine), view->month, &ground.surface, &ground.cloud);
   if (e->earth == UM_EARTH_MAP && e->map != NULL) {
     double longitude = atan2(um_vec3_dot(place, view->east), um_vec3_dot(place, view->greenwich));
     um_environment_map_at(e->map, asin(sine), longitude, view->month, &ground);
@@ -89,6 +97,7 @@ static struct um_environment_ground base_at(const struct um_environment_ground_v
   ground.albedo *= e->albedo_factor;
   ground.longwave *= e->longwave_factor;
   ground.brightness += e->brightness_shift;
+  ground.surface += e->brightness_shift;
   return ground;
 }
 

@@ -14,6 +14,7 @@ struct um_environment_ground_view {
   double irradiance;                    /* solar, nominal, at the Earth's distance [W/m^2] */
   double month;  /* 0 in the middle of January, 11 in that of December; -0.5..11.5 [months] */
   double weight; /* of the region at this time, 0..1 [1] */
+  bool spectral; /* um_environment_earth_is_spectral */
   struct um_vec3 centre; /* of the region [1] */
 };
 /* globe: NULL for a uniform Earth. sun_distance [m]. */

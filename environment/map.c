@@ -13,6 +13,7 @@
 #include "base/core/file_snapshot.h"
 #include "base/core/interpolation.h"
 #include "environment/knocke.h"
+#include "environment/zones.h"
 
 #define PERIHELION 0.1    /* month in which the Earth is nearest to the Sun: 3 January */
 #define NEARER     0.0334 /* irradiance there over its mean, less 1: 2 e */
@@ -20,7 +21,9 @@
 const struct um_environment_map_range um_environment_map_range[UM_MAP_QUANTITIES] = {
     {"albedo", "1", 0.0, 1.0},
     {"outgoing longwave radiation", "W/m^2", 0.0, 600.0},
-    {"brightness temperature", "K", 100.0, 400.0}};
+    {"brightness temperature", "K", 100.0, 400.0},
+    {"ground's temperature", "K", 150.0, 400.0},
+    {"cover of cloud", "1", 0.0, 1.0}};
 
 enum um_status um_environment_map_create(struct um_context *context, size_t nlatitude,
                                          size_t nlongitude, size_t nmonth,
@@ -59,9 +62,14 @@ void um_environment_map_destroy(struct um_context *context, struct um_environmen
   *map = NULL;
 }
 
-/* Knocke's value in the middle of a month; the irradiance is that of the season. */
-static double knocke_value(int quantity, double latitude, double month)
+/* What is taken for a quantity in the middle of a month: Knocke's, whose irradiance is that of the
+ * season, or that of its belt. */
+static double value_without(int quantity, double latitude, double month)
 {
+  double surface, cloud;
+  um_environment_zones(latitude, month, &surface, &cloud);
+  if (quantity == UM_MAP_SURFACE) return surface;
+  if (quantity == UM_MAP_CLOUD) return cloud;
   double t = (month + 0.5) * 365.25 / 12.0 * 86400.0; /* of a year like any other */
   double albedo, emissivity;
   um_environment_knocke(sin(latitude), um_environment_knocke_season(t), &albedo, &emissivity);
@@ -87,7 +95,7 @@ static double fill(struct um_environment_map *map, int quantity)
         const float *longwave = quantity == UM_MAP_BRIGHTNESS ? map->value[UM_MAP_LONGWAVE] : NULL;
         map->value[quantity][at] =
             (float)(longwave != NULL ? um_environment_window_temperature((double)longwave[at])
-                                     : knocke_value(quantity, map->latitude[i], map->month[m]));
+                                     : value_without(quantity, map->latitude[i], map->month[m]));
       }
   return all > 0.0 ? missing / all : 0.0;
 }
@@ -98,9 +106,12 @@ void um_environment_map_finish(struct um_context *context, const char *path,
   for (int q = 0; q < UM_MAP_QUANTITIES; q++) {
     const char *name = um_environment_map_range[q].name;
     bool window = q == UM_MAP_BRIGHTNESS && map->value[UM_MAP_LONGWAVE] != NULL;
-    const char *instead = window ? "taken from its outgoing longwave radiation by the relation of "
-                                   "Ohring, Gruber & Ellingson 1984"
-                                 : "that of Knocke, Ries & Tapley 1988 is taken";
+    bool belts = q == UM_MAP_SURFACE || q == UM_MAP_CLOUD;
+    const char *instead = belts ? "the mean of its belt of latitude is taken"
+                          : window
+                              ? "taken from its outgoing longwave radiation by the relation of "
+                                "Ohring, Gruber & Ellingson 1984"
+                              : "that of Knocke, Ries & Tapley 1988 is taken";
     double missing = map->value[q] == NULL ? 1.0 : fill(map, q);
     if (map->value[q] == NULL)
       um_core_log(context, UM_LOG_INFO, "%s: no %s: %s", path, name, instead);
@@ -159,6 +170,8 @@ void um_environment_map_at(const struct um_environment_map *map, double latitude
     ground->brightness = um_environment_window_temperature(ground->longwave);
   }
   if (map->value[UM_MAP_BRIGHTNESS] != NULL) ground->brightness = sum[UM_MAP_BRIGHTNESS];
+  if (map->value[UM_MAP_SURFACE] != NULL) ground->surface = sum[UM_MAP_SURFACE];
+  if (map->value[UM_MAP_CLOUD] != NULL) ground->cloud = sum[UM_MAP_CLOUD];
 }
 
 bool um_environment_map_equal(const struct um_environment_map *a,

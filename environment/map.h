@@ -1,10 +1,12 @@
 /* Monthly grids of what the Earth reflects and emits, from a file.
  *
  * CSV (docs/files.md): columns month, latitude_deg, longitude_deg and at least one of albedo,
- * olr_W_m2, brightness_temperature_K. netCDF, as of CERES: variables lat, lon and time, and
- * (time, lat, lon) of toa_sw_all_mon with solar_mon (their ratio is the albedo), toa_lw_all_mon, or
- * our own albedo, olr and brightness_temperature. What a file lacks is Knocke's, and the log says
- * so; a brightness temperature that it lacks follows from its longwave, where it has that. */
+ * olr_W_m2, brightness_temperature_K, surface_temperature_K, cloud_fraction. netCDF, as of CERES:
+ * variables lat, lon and time, and (time, lat, lon) of toa_sw_all_mon with solar_mon (their ratio
+ * is the albedo), toa_lw_all_mon, cldarea_total_daynight_mon, or our own albedo, olr,
+ * brightness_temperature, surface_temperature and cloud_fraction. What a file lacks is Knocke's or
+ * of its belt of latitude, and the log says so; a brightness temperature that it lacks follows from
+ * its longwave, where it has that. */
 #ifndef UMBRA_ENVIRONMENT_MAP_H
 #define UMBRA_ENVIRONMENT_MAP_H
 

@@ -15,8 +15,8 @@ enum { MONTH, LATITUDE, LONGITUDE, AXES };
 static const char *const axis_column[AXES] = {"month", "latitude_deg", "longitude_deg"};
 static const double axis_minimum[AXES] = {1.0, -90.0, -180.0},
                     axis_maximum[AXES] = {12.0, 90.0, 360.0};
-static const char *const quantity_column[UM_MAP_QUANTITIES] = {"albedo", "olr_W_m2",
-                                                               "brightness_temperature_K"};
+static const char *const quantity_column[UM_MAP_QUANTITIES] = {
+    "albedo", "olr_W_m2", "brightness_temperature_K", "surface_temperature_K", "cloud_fraction"};
 
 struct table {
   const struct um_core_csv *csv;
@@ -45,13 +45,14 @@ static enum um_status find_columns(struct um_context *context, struct table *t)
     if (!known)
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s: column '%s'; accepted: month, latitude_deg, longitude_deg, albedo, "
-                          "olr_W_m2, brightness_temperature_K",
+                          "olr_W_m2, brightness_temperature_K, surface_temperature_K, "
+                          "cloud_fraction",
                           path, um_core_csv_header(t->csv, c));
   }
   if (found > 0 && t->nrow > 0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s: %s; accepted: rows with one or more of albedo, olr_W_m2, "
-                      "brightness_temperature_K",
+                      "brightness_temperature_K, surface_temperature_K, cloud_fraction",
                       path, found == 0 ? "no quantity" : "no rows");
 }
 

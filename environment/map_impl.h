@@ -4,7 +4,14 @@
 
 #include "environment/map.h"
 
-enum { UM_MAP_ALBEDO, UM_MAP_LONGWAVE, UM_MAP_BRIGHTNESS, UM_MAP_QUANTITIES };
+enum {
+  UM_MAP_ALBEDO,
+  UM_MAP_LONGWAVE,
+  UM_MAP_BRIGHTNESS,
+  UM_MAP_SURFACE,
+  UM_MAP_CLOUD,
+  UM_MAP_QUANTITIES
+};
 
 #define UM_MAP_CELLS_MOST 1036800 /* 0.25 deg */
 
@@ -21,7 +28,8 @@ enum um_status um_environment_map_create(struct um_context *context, size_t nlat
                                          size_t nlongitude, size_t nmonth,
                                          const bool has[UM_MAP_QUANTITIES],
                                          struct um_environment_map **out);
-/* Replace what is NaN by Knocke's model and say what was missing in the log. */
+/* Replace what is NaN by Knocke's model and belts of latitude (zones.h), and say what was missing
+ * in the log. */
 void um_environment_map_finish(struct um_context *context, const char *path,
                                struct um_environment_map *map);
 enum um_status um_environment_map_read_csv(struct um_context *context, const char *path,

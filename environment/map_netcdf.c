@@ -36,14 +36,19 @@ struct header {
 static const struct {
   int quantity;
   const char *name, *over; /* over NULL: taken as it is */
+  double unit;             /* of the variable in that of the quantity */
 } sources[] = {
-    {UM_MAP_ALBEDO, "albedo", NULL},
-    {UM_MAP_ALBEDO, "toa_sw_all_mon", "solar_mon"},
-    {UM_MAP_ALBEDO, "toa_sw_all_clim", "solar_clim"},
-    {UM_MAP_LONGWAVE, "olr", NULL},
-    {UM_MAP_LONGWAVE, "toa_lw_all_mon", NULL},
-    {UM_MAP_LONGWAVE, "toa_lw_all_clim", NULL},
-    {UM_MAP_BRIGHTNESS, "brightness_temperature", NULL},
+    {UM_MAP_ALBEDO, "albedo", NULL, 1.0},
+    {UM_MAP_ALBEDO, "toa_sw_all_mon", "solar_mon", 1.0},
+    {UM_MAP_ALBEDO, "toa_sw_all_clim", "solar_clim", 1.0},
+    {UM_MAP_LONGWAVE, "olr", NULL, 1.0},
+    {UM_MAP_LONGWAVE, "toa_lw_all_mon", NULL, 1.0},
+    {UM_MAP_LONGWAVE, "toa_lw_all_clim", NULL, 1.0},
+    {UM_MAP_BRIGHTNESS, "brightness_temperature", NULL, 1.0},
+    {UM_MAP_SURFACE, "surface_temperature", NULL, 1.0},
+    {UM_MAP_CLOUD, "cloud_fraction", NULL, 1.0},
+    {UM_MAP_CLOUD, "cldarea_total_daynight_mon", NULL, 0.01},
+    {UM_MAP_CLOUD, "cldarea_total_daynight_clim", NULL, 0.01},
 };
 
 struct reader {
@@ -268,6 +273,7 @@ static bool read_month(struct reader *r, size_t source, int month, double *work,
   }
   for (size_t i = 0; i < n; i++) {
     double value = count[i] > 0.0 ? sum[i] / below[i] : (double)NAN;
+    value *= sources[source].unit;
     if (ratio) value = fmin(value, 1.0); /* at the terminator a mean may exceed what falls in */
     if (ratio && isnan(sum[i] / below[i])) value = NAN;
     if (!isnan(value) && !(value >= range->minimum && value <= range->maximum))
@@ -305,10 +311,12 @@ static bool read_all(struct reader *r, struct header *h, float **out, double mon
   for (int m = 0; m < 12; m++)
     if (there[m]) months[h->nmonth++] = m;
   for (int q = 0; q < UM_MAP_QUANTITIES; q++) h->has[q] = source_of(r, q) != SIZE_MAX;
-  size_t nhas = (size_t)(h->has[0] + h->has[1] + h->has[2]);
+  size_t nhas = 0;
+  for (int q = 0; q < UM_MAP_QUANTITIES; q++) nhas += h->has[q] != 0;
   if (nhas == 0)
     return FAIL(r, "none of its variables is known; accepted: toa_sw_all_mon with solar_mon, "
-                   "toa_lw_all_mon, albedo, olr, brightness_temperature");
+                   "toa_lw_all_mon, cldarea_total_daynight_mon, albedo, olr, "
+                   "brightness_temperature, surface_temperature, cloud_fraction");
   *out = malloc(nhas * (size_t)h->nmonth * n * sizeof **out);
   double *work = malloc(5 * n * sizeof *work);
   if (*out == NULL || work == NULL) return FAIL(r, "out of memory");
@@ -369,7 +377,8 @@ static enum um_status unpack(struct um_context *context, const struct header *h,
                              struct um_environment_map **out)
 {
   enum um_status status;
-  const bool has[UM_MAP_QUANTITIES] = {h->has[0] != 0, h->has[1] != 0, h->has[2] != 0};
+  bool has[UM_MAP_QUANTITIES];
+  for (int q = 0; q < UM_MAP_QUANTITIES; q++) has[q] = h->has[q] != 0;
   size_t nlat = (size_t)h->nlatitude, nlon = (size_t)h->nlongitude, npage = (size_t)h->nmonth;
   struct um_environment_map *map = NULL;
   double(*order)[2] = NULL; /* longitude and its column in the file */

@@ -18,6 +18,13 @@ double um_core_planck_radiance(double wavelength, double temperature)
   return UM_RADIATION_C1L / (l2 * l2 * wavelength) / expm1(z);
 }
 
+double um_core_planck_temperature(double wavelength, double radiance)
+{
+  double l2 = wavelength * wavelength;
+  if (!(radiance > 0.0)) return 0.0;
+  return UM_RADIATION_C2 / wavelength / log1p(UM_RADIATION_C1L / (l2 * l2 * wavelength * radiance));
+}
+
 /* int_z^inf x^n/(e^x - 1) dx, n = 2 or 3, for z >= 1; the m-th term falls like exp(-m z). */
 static double debye_tail(double z, int n)
 {

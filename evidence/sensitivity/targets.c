@@ -126,6 +126,27 @@ done:
   return status;
 }
 
+/* --- environment ----------------------------------------------------------------------------- */
+
+/* Does a use with default values leave the environment, which is all that it acts on, as it is? */
+static enum um_status leaves_environment(struct um_context *context, const struct um_model *model,
+                                         const struct um_effect *effect, bool *out)
+{
+  static const struct um_effect_hooks none;
+  struct um_effect_hooks rest = effect->hooks;
+  struct um_environment changed;
+  double value[UM_EFFECT_PARAMETERS_MAX] = {0};
+  rest.environment = NULL;
+  *out = false;
+  if (effect->hooks.environment == NULL || memcmp(&rest, &none, sizeof rest) != 0) return UM_OK;
+  for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
+  const struct um_effect_use use = {.effect = effect, .value = value};
+  memcpy(&changed, &model->environment, sizeof changed);
+  UM_TRY(effect->hooks.environment(context, &use, &changed));
+  *out = memcmp(&changed, &model->environment, sizeof changed) == 0;
+  return UM_OK;
+}
+
 /* --- all ------------------------------------------------------------------------------------- */
 
 static enum um_status fill(struct um_context *context, const struct um_model *model,
@@ -133,7 +154,10 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
 {
   const struct um_geometry *g = model->geometry;
   uint32_t targets = effect->targets;
+  bool nothing;
   if (effect->hooks.contact != NULL) return add_contacts(context, model, effect, to);
+  UM_TRY(leaves_environment(context, model, effect, &nothing));
+  if (nothing) return UM_OK;
   if ((targets & (UM_TARGET_PART | UM_TARGET_PART_SIDE)) != 0)
     UM_TRY(add_parts(context, model, targets, to));
   for (size_t m = 0; (targets & UM_TARGET_MATERIAL) != 0 && m < um_geometry_material_count(g); m++)

@@ -111,8 +111,7 @@ static void leave(struct um_optics_bundle *p, int i, int vertex)
   size_t n = p->paths.spectra->nbin;
   if (telescopes(p, i)) reflect(p, i);
   if (vertex == 0 || !(p->turn[i].lobe > 0.0)) return;
-  if (!um_optics_vertex_earth(&p->paths, &p->vertex[i], p->turn[i].direction, work->incoming))
-    return;
+  if (!um_optics_vertex_earth(&p->paths, p->turn[i].direction, work->incoming)) return;
   double *sum = um_optics_bundle_gathered(p, i), *left = um_optics_bundle_throughput(p, i);
   if (telescopes(p, i)) return; /* nothing but a leak between facets */
   um_optics_vertex_row(&p->paths, &p->vertex[i], &p->turn[i], UM_OPTICS_LOBE, work->row);

@@ -96,9 +96,8 @@ void um_optics_vertex_row(const struct um_optics_paths *paths,
  * its flat parts reflect; emissivity and black body are left in the scratch. */
 void um_optics_vertex_glow(const struct um_optics_paths *paths,
                            const struct um_optics_vertex *vertex, double *row);
-/* The Earth's radiance in a direction that leaves a vertex to it [W/m^2/sr/m]; false: space. */
-bool um_optics_vertex_earth(const struct um_optics_paths *paths,
-                            const struct um_optics_vertex *vertex, struct um_vec3 direction,
+/* The Earth's radiance from a direction of the body frame [W/m^2/sr/m]; false: space. */
+bool um_optics_vertex_earth(const struct um_optics_paths *paths, struct um_vec3 direction,
                             double *row);
 
 #endif

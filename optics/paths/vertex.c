@@ -264,6 +264,7 @@ void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_
   const double *emissivity = um_optics_spectra_emissivity(s, v->skin, v->o.z, work->emissivity);
   if (factor > 0.0 && now->earth_varies) {
     um_optics_spectra_planck(s, (double)scene->brightness[v->at], work->earth);
+    for (size_t b = 0; b < n; b++) work->earth[b] *= work->earth_ratio[b];
     earth = work->earth;
   }
   if (lobe && s->masks[v->skin])
@@ -280,8 +281,8 @@ void um_optics_vertex_glow(const struct um_optics_paths *paths, const struct um_
   }
 }
 
-bool um_optics_vertex_earth(const struct um_optics_paths *paths, const struct um_optics_vertex *v,
-                            struct um_vec3 direction, double *row)
+bool um_optics_vertex_earth(const struct um_optics_paths *paths, struct um_vec3 direction,
+                            double *row)
 {
   const struct um_optics_spectra *s = paths->spectra;
   const struct um_optics_instant *now = paths->instant;
@@ -292,8 +293,10 @@ bool um_optics_vertex_earth(const struct um_optics_paths *paths, const struct um
   double lit = now->earthshine * now->earth_radiance;
   if (lit > 0.0) lit *= um_optics_earth_lit(now->nadir_body, now->sun_body, h, direction, cos_eta);
   if (now->earth_varies) {
-    um_optics_spectra_planck(s, (double)paths->scene->brightness[v->at], paths->work->earth);
+    double albedo;
+    um_optics_earth_toward(s, now, direction, paths->work, paths->work->earth, &albedo);
     earth = paths->work->earth;
+    lit *= albedo;
   }
   for (size_t b = 0; b < s->nbin; b++)
     row[b] = now->earth_reflection * earth[b] + lit * s->share[b];

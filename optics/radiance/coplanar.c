@@ -57,7 +57,7 @@ static bool same(const struct um_optics_view *view, const struct rows *rows, siz
          fabs(rows->by->cos_half[i] - rows->by->cos_half[j]) <= SAME_HALF;
 }
 
-/* Of surfaces of an anisotropic lobe. */
+/* Of surfaces of an anisotropic lobe, or before an Earth that varies. */
 static bool same_grain(const struct um_optics_spectra *spectra, const struct um_optics_scene *scene,
                        size_t a, size_t b, const struct um_optics_work *work)
 {
@@ -96,7 +96,7 @@ static size_t group_of(const struct um_optics_spectra *spectra, const struct um_
   size_t skin = um_optics_skin(spectra, mesh, surface);
   size_t down_to = f->ngroup > LOOK_BACK ? f->ngroup - LOOK_BACK : 0;
   bool single = alone(spectra, surface);
-  bool grain = um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
+  bool grain = spectra->varies || um_materials_lobe_is_anisotropic(&spectra->lobe[skin]);
   for (size_t g = f->ngroup; !single && g-- > down_to;) {
     size_t other = f->first[g]; /* a surface, until all groups are known */
     if (um_optics_skin(spectra, mesh, other) == skin && !alone(spectra, other) &&

@@ -13,6 +13,7 @@
 #include "optics/radiance/earth_lobe_impl.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "base/core/vec.h"
@@ -68,11 +69,25 @@ struct facet {
   double cosine; /* o.h */
   double inside; /* i.nadir - cos(rho) */
   double lit;
+  unsigned short node[4]; /* of an Earth that varies, and their weights */
+  double share[4];
 };
 
+/* Where a facet looks on an Earth that varies. */
+static void look_up(const struct um_optics_earth_before *before, struct um_vec3 direction,
+                    struct facet *facet)
+{
+  const struct um_environment_earth_seen *seen = before->seen;
+  double albedo = 0.0;
+  um_environment_earth_seen_at(&before->axes, direction, facet->node, facet->share);
+  for (int k = 0; k < 4; k++) albedo += facet->share[k] * seen->ground[facet->node[k]].albedo;
+  facet->lit *= albedo;
+}
+
 /* A ring of them. */
-static void ring_at(const struct um_optics_frame *f, const struct um_optics_lobe_facets *facets,
-                    double toward, double h_ratio, double cos_rho, int ring, struct facet *out)
+static void ring_at(const struct um_optics_earth_before *before, const struct um_optics_frame *f,
+                    const struct um_optics_lobe_facets *facets, double toward, double h_ratio,
+                    double cos_rho, int ring, struct facet *out)
 {
   struct um_materials_reflected r[UM_OPTICS_LOBE_CELLS_MAX];
   const struct um_materials_lobe *lobe = &facets->lobe;
@@ -80,9 +95,13 @@ static void ring_at(const struct um_optics_frame *f, const struct um_optics_lobe
   lobe->kind->reflect(lobe, facets->half + (size_t)ring * n, n, f->observer, toward, r);
   for (size_t k = 0; k < n; k++) {
     double cos_eta = um_vec3_dot(r[k].i, f->nadir);
-    out[k] = (struct facet){r[k].weight, r[k].cos_d, cos_eta - cos_rho, 0.0};
-    if (out[k].weight > 0.0 && out[k].inside > NEAR)
-      out[k].lit = um_optics_earth_lit(f->nadir, f->sun, h_ratio, r[k].i, cos_eta);
+    out[k].weight = r[k].weight;
+    out[k].cosine = r[k].cos_d;
+    out[k].inside = cos_eta - cos_rho;
+    out[k].lit = 0.0;
+    if (!(out[k].weight > 0.0 && out[k].inside > NEAR)) continue;
+    out[k].lit = um_optics_earth_lit(f->nadir, f->sun, h_ratio, r[k].i, cos_eta);
+    if (before->seen != NULL) look_up(before, r[k].i, &out[k]);
   }
 }
 
@@ -129,8 +148,9 @@ void um_optics_lobe_facets_fill(struct um_optics_lobe_facets *facets)
 }
 
 /* What a ring of facets brings; low and high: the rings below and above it, or itself. */
-static void add_ring(const struct facet *low, const struct facet *ring, const struct facet *high,
-                     int cells, double share, struct um_optics_earth_lobe *out)
+static void add_ring(bool varies, const struct facet *low, const struct facet *ring,
+                     const struct facet *high, int cells, double share,
+                     struct um_optics_earth_lobe *out)
 {
   for (int j = 0; j < cells; j++) {
     const struct facet *now = &ring[j];
@@ -144,6 +164,8 @@ static void add_ring(const struct facet *low, const struct facet *ring, const st
     int node = um_optics_fresnel_weights(now->cosine, weight);
     spread(weight, w, out->all + node);
     if (inside > 0.0) spread(weight, w * inside, out->earth + node);
+    for (int p = 0; p < 4 && varies && inside > 0.0; p++)
+      out->where[now->node[p]] += w * inside * now->share[p];
     if (inside * now->lit > 0.0) spread(weight, w * inside * now->lit, out->lit + node);
   }
 }
@@ -153,18 +175,20 @@ void um_optics_earth_lobe(const struct um_optics_earth_before *before,
                           struct um_optics_earth_lobe *out)
 {
   struct facet row[3][UM_OPTICS_LOBE_CELLS_MAX];
-  memset(out, 0, sizeof *out);
+  bool varies = before->seen != NULL;
+  memset(out, 0, varies ? sizeof *out : offsetof(struct um_optics_earth_lobe, where));
   if (!(before->normal_observer > 0.0)) return;
   struct um_optics_frame f = before->grain != NULL ? *before->grain : frame_of(before);
   double h = fmax(before->h_ratio, 1.0), cos_rho = sqrt(fmax(0.0, 1.0 - 1.0 / (h * h)));
   double toward = um_materials_lobe_toward(&facets->lobe, f.observer);
   int cells = facets->cells;
   for (int k = -1; k < facets->rings; k++) {
-    if (k + 1 < facets->rings) ring_at(&f, facets, toward, h, cos_rho, k + 1, row[(k + 1) % 3]);
+    if (k + 1 < facets->rings)
+      ring_at(before, &f, facets, toward, h, cos_rho, k + 1, row[(k + 1) % 3]);
     if (k < 0) continue;
     const struct facet *low = row[(k > 0 ? k - 1 : k) % 3];
     const struct facet *ring = row[k % 3];
     const struct facet *high = row[(k + 1 < facets->rings ? k + 1 : k) % 3];
-    add_ring(low, ring, high, cells, 1.0 / (facets->rings * cells), out);
+    add_ring(varies, low, ring, high, cells, 1.0 / (facets->rings * cells), out);
   }
 }

@@ -2,6 +2,7 @@
 #ifndef UMBRA_OPTICS_EARTH_LOBE_IMPL_H
 #define UMBRA_OPTICS_EARTH_LOBE_IMPL_H
 
+#include "environment/earth_seen.h"
 #include "materials/lobe.h"
 
 /* Nodes of the facet's cosine o.h, (k/(nodes - 1))^2, at which Fresnel's reflectance is taken;
@@ -37,6 +38,9 @@ struct um_optics_earth_before {
   /* directions with x along the grain, for lobes that are anisotropic; NULL: x toward the observer
    */
   const struct um_optics_frame *grain;
+  /* an Earth that varies, and its axes in the frame of `grain`, which is then there; NULL: alike */
+  const struct um_environment_earth_seen *seen;
+  struct um_environment_earth_axes axes;
 };
 /* The frame of a surface: z its normal. */
 struct um_optics_frame {
@@ -49,8 +53,10 @@ struct um_optics_frame {
 struct um_optics_earth_lobe {
   double all[UM_OPTICS_FRESNEL_NODES];   /* of the whole lobe: its directional albedo */
   double earth[UM_OPTICS_FRESNEL_NODES]; /* of what comes from the visible Earth */
-  double
-      lit[UM_OPTICS_FRESNEL_NODES]; /* of that, weighted by the cosine of the Sun's zenith angle */
+  /* of that, weighted by the cosine of the Sun's zenith angle, and by albedo where it varies */
+  double lit[UM_OPTICS_FRESNEL_NODES];
+  /* of `earth` with F = 1, by where the Earth is seen; set where it varies */
+  double where[UM_EARTH_SEEN_NODES];
 };
 
 /* The edge of the Earth is put between facets linearly: with 8 x

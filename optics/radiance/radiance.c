@@ -74,7 +74,9 @@ static enum um_status work_fill(struct um_context *context, const struct um_opti
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth_clear));
   UM_TRY(um_optics_planck_sum_create(context, spectra, &work->bodies));
   UM_TRY(um_optics_planck_sum_create(context, spectra, &work->far));
-  UM_TRY(um_optics_planck_sum_create(context, spectra, &work->clear));
+  UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->earth_ratio));
+  if (spectra->varies)
+    UM_TRY(um_core_allocate(context, UM_EARTH_SEEN_NODES * nbin, sizeof(double), &work->earth_row));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->sunlight));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_all));
   UM_TRY(um_core_allocate(context, nbin, sizeof(double), &work->lobe_earth));
@@ -122,16 +124,17 @@ void um_optics_work_destroy(struct um_context *context, size_t nwork, struct um_
   if (work == NULL || *work == NULL) return;
   for (size_t i = 0; i < nwork; i++) {
     struct um_optics_work *w = &(*work)[i];
-    void *const blocks[] = {
-        w->planck,     w->emissivity, w->spectral,  w->specular,   w->specular_known,  w->bins,
-        w->sum,        w->incoming,   w->reflected, w->band,       w->band_variance,   w->ray,
-        w->occluded,   w->hidden,     w->earth,     w->masked_sun, w->masked_observer, w->sunlight,
-        w->lobe_all,   w->lobe_earth, w->angle,     w->rotation,   w->earth_clear,     w->row,
-        w->throughput, w->mirrored,   w->gathered,  w->upright};
+    void *const blocks[] = {w->planck,          w->emissivity, w->spectral,      w->specular,
+                            w->specular_known,  w->bins,       w->sum,           w->incoming,
+                            w->reflected,       w->band,       w->band_variance, w->ray,
+                            w->occluded,        w->hidden,     w->earth,         w->masked_sun,
+                            w->masked_observer, w->sunlight,   w->lobe_all,      w->lobe_earth,
+                            w->angle,           w->rotation,   w->earth_clear,   w->row,
+                            w->throughput,      w->mirrored,   w->gathered,      w->upright,
+                            w->earth_row,       w->earth_ratio};
     for (size_t k = 0; k < sizeof blocks / sizeof blocks[0]; k++) um_core_free(context, blocks[k]);
     um_optics_planck_sum_clear(context, &w->bodies);
     um_optics_planck_sum_clear(context, &w->far);
-    um_optics_planck_sum_clear(context, &w->clear);
   }
   um_core_free(context, *work);
   *work = NULL;
@@ -163,6 +166,7 @@ void um_optics_light(const struct um_optics_spectra *spectra, const struct um_op
 {
   const struct um_environment_sample *sample = &scene->samples[instant->time];
   memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
+  um_optics_earth_rows(spectra, instant, work);
   if (instant->lamp.name == UM_LAMP_MOON) {
     struct um_environment_moonlight moon;
     um_environment_moonlight(scene->environment, sample, &moon);
@@ -199,7 +203,8 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
     sight->patches = (struct um_materials_patches){c->along + first, c->across + first,
                                                    c->share + first, c->first[surface + 1] - first};
   }
-  if (sight->patches.n > 0 || um_materials_lobe_is_anisotropic(&spectra->lobe[skin]))
+  if (sight->patches.n > 0 || spectra->varies ||
+      um_materials_lobe_is_anisotropic(&spectra->lobe[skin]))
     um_geometry_surface_grain(scene->geometry, work->rotation, surface, &sight->grain,
                               &sight->across);
 }

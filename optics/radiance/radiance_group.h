@@ -29,7 +29,11 @@ struct um_optics_instant {
   struct um_vec3 nadir_body;              /* unit */
   double h_ratio;                         /* of the geocentre's distance [1] */
   double observer_nadir, observer_sun, nadir_sun; /* cosines [1] */
-  double earth_radiance; /* of the Earth under an overhead Sun, all wavelengths [W/m^2/sr] */
+  /* of the Earth under an overhead Sun, all wavelengths; where it varies, of an albedo of 1
+   * [W/m^2/sr] */
+  double earth_radiance;
+  double mirror_cloud;                    /* added to its cover of cloud where lobes look [1] */
+  struct um_environment_earth_seen earth; /* where it varies; axes in the body frame */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
 /* The same instant with the Moon for a lamp, which shines where the sample has one. */
@@ -67,9 +71,12 @@ struct um_optics_sum {
 struct um_optics_work {
   double *planck, *emissivity, *upright; /* [nbin] upright: emissivity before its tilt */
   double *masked_sun, *masked_observer;  /* [nbin] M toward both */
-  double *earth, *earth_clear;           /* [nbin] the Earth before surfaces, where it varies */
-  struct um_optics_planck_sum bodies, far, clear; /* surfaces; the Earth before them, by view
-                                                     factor and where it is not hidden */
+  double *earth, *earth_clear; /* [nbin] the Earth before surfaces and in a lobe, where it varies */
+  struct um_optics_planck_sum bodies, far; /* surfaces; the Earth before them, by view factor */
+  double
+      *earth_row; /* [UM_EARTH_SEEN_NODES][nbin] radiance of an Earth that varies (earth_rows.c) */
+  double
+      *earth_ratio; /* [nbin] of its mean over a black body's of its brightness temperature [1] */
   double *lobe_all, *lobe_earth; /* [nbin] a lobe, and what of it the Earth fills */
   double *sunlight;              /* [nbin] of the lamp, before the satellite [W/m^2/m]:
                                     um_optics_light */
@@ -110,11 +117,21 @@ void um_optics_sight_turn(const struct um_optics_spectra *spectra,
 
 /* Unit vector to the geocentre in the body frame; zero where there is no position. */
 struct um_vec3 um_optics_nadir(const struct um_environment_sample *sample);
-/* Where the Earth stands at an instant, and how bright it is, for lobes that look at it. Where it
- * varies it has the albedo of what lights a plate that faces it, found where earthshine is on. */
+/* Where the Earth stands at an instant, and what it shows where it varies. */
 void um_optics_instant_earth(const struct um_environment *environment,
                              const struct um_environment_sample *sample,
                              struct um_optics_instant *now);
+/* earth_rows.c: spectra of an Earth that varies into the scratch, of its nodes and its mean. */
+void um_optics_earth_rows(const struct um_optics_spectra *spectra,
+                          const struct um_optics_instant *instant, struct um_optics_work *work);
+/* Mean of them by weights where[UM_EARTH_SEEN_NODES], row[nbin] overwritten [W/m^2/sr/m]. */
+void um_optics_earth_mirrored(const struct um_optics_spectra *spectra, const double *where,
+                              const struct um_optics_work *work, double *row);
+/* What comes from a direction of the body frame on the Earth: row[nbin] overwritten [W/m^2/sr/m],
+ * and the albedo there [1]. */
+void um_optics_earth_toward(const struct um_optics_spectra *spectra,
+                            const struct um_optics_instant *instant, struct um_vec3 direction,
+                            const struct um_optics_work *work, double *row, double *albedo);
 /* What the lobe of surfaces that face one way sees of the Earth. */
 struct um_optics_earth_shares {
   struct um_optics_earth_lobe lobe;
@@ -131,7 +148,7 @@ struct um_optics_earth_seen {
   double clear, clear_lit; /* times the share of the Earth before the plate that is not hidden; of
                               surfaces that are lit by it [m^2] */
 };
-/* Where the Earth varies the first two of them go times B(T_b) into the sums of the work. area:
+/* Where the Earth varies the first of them goes times B(T_b) into the sum of the work. area:
  * area_seen cos_o [m^2]. */
 void um_optics_earth_seen_add(const struct um_optics_spectra *spectra,
                               const struct um_optics_instant *instant,

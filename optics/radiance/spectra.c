@@ -73,6 +73,9 @@ static enum um_status check_bands(struct um_context *context, const struct um_op
   return UM_OK;
 }
 
+#define GROUND_COLDEST 190.0 /* of what an Earth that is spectral shows [K] */
+#define GROUND_WARMEST 325.0
+
 /* Lowest and highest temperature [K] of the samples asked for. */
 static enum um_status temperature_range(struct um_context *context,
                                         const struct um_optics_scene *scene, size_t first,
@@ -96,6 +99,10 @@ static enum um_status temperature_range(struct um_context *context,
       if (earth > 100.0 && earth < *low) *low = earth; /* colder is evaluated directly */
       if (earth > *high) *high = earth;
     }
+  if (scene->brightness != NULL && um_environment_earth_is_spectral(scene->environment)) {
+    *low = fmin(*low, GROUND_COLDEST);
+    *high = fmax(*high, GROUND_WARMEST);
+  }
   return UM_OK;
 }
 
@@ -228,7 +235,8 @@ void um_optics_spectra_materials(const struct um_context *context,
 {
   const struct um_optics_creases *creases = s->creases;
   bool compensated = scene->environment->multiple_scattering_on; /* from facet to facet */
-  s->grain = creases != NULL && creases->patches->first[creases->patches->nsurface] > 0;
+  s->grain = s->varies ||
+             (creases != NULL && creases->patches->first[creases->patches->nsurface] > 0);
   for (size_t m = 0; m < s->nskin; m++) {
     size_t material = um_optics_material(s, m);
     const struct um_materials_record *record = scene->material[material];
@@ -317,11 +325,14 @@ enum um_status um_optics_spectra_create(struct um_context *context,
   s->nband = nband;
   s->nmaterial = um_geometry_material_count(scene->geometry);
   s->creases = scene->creases;
+  s->varies = scene->brightness != NULL;
   s->nskin = s->creases != NULL ? s->creases->nskin : s->nmaterial;
   s->npart = um_geometry_part_count(scene->geometry);
   s->njoint = um_geometry_joint_count(scene->geometry);
   UM_CHECK(bins_create(context, bands, s));
   UM_CHECK(sources_create(context, scene->environment, s));
+  if (scene->brightness != NULL && um_environment_earth_is_spectral(scene->environment))
+    UM_CHECK(um_optics_earth_ratios_create(context, s));
   UM_CHECK(materials_check(context, scene));
   UM_CHECK(materials_allocate(context, s));
   um_optics_spectra_materials(context, scene, first, s);
@@ -340,11 +351,11 @@ void um_optics_spectra_destroy(struct um_context *context, struct um_optics_spec
   if (s->planck != NULL)
     for (size_t k = 0; k < s->nband; k++) um_core_free(context, s->planck[k].radiance);
   void *const blocks[] = {
-      s->wavelength, s->width,   s->from,         s->to,      s->band,       s->first,
-      s->sun,        s->share,   s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
-      s->lobe,       s->masked,  s->masked_mean,  s->masks,   s->planck,     s->facets,
-      s->half,       s->fresnel, s->transmission, s->flat,    s->lobe_share, s->tilt,
-      s->tilts,      s->has_lobe};
+      s->wavelength, s->width,    s->from,         s->to,      s->band,       s->first,
+      s->sun,        s->share,    s->earth,        s->diffuse, s->emissivity, s->diffuse_emitter,
+      s->lobe,       s->masked,   s->masked_mean,  s->masks,   s->planck,     s->facets,
+      s->half,       s->fresnel,  s->transmission, s->flat,    s->lobe_share, s->tilt,
+      s->tilts,      s->has_lobe, s->clear,        s->cloud};
   for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) um_core_free(context, blocks[i]);
   um_core_free(context, s);
   *spectra = NULL;

@@ -29,6 +29,8 @@ struct um_optics_spectra {
   double *sun;                    /* [nbin] bin mean at 1 au [W/m^2/m] */
   double *share;                  /* [nbin] sun / total solar irradiance [1/m] */
   double *earth;                  /* [nbin] B_lambda(T_b) of the Earth, bin mean [W/m^2/sr/m] */
+  double *clear, *cloud;          /* [UM_EARTH_TEMPERATURES][UM_EARTH_SEEN_RINGS][nbin] of an Earth
+                                     that is spectral (earth_rows.c) [1]; NULL: it is not */
   double *diffuse;                /* [nskin][nbin] rho_d, with the mean of M [1] */
   double *emissivity;             /* [nskin][UM_OPTICS_ANGLE_NODES][nbin] not tilted [1]; a diffuse
                                      emitter has its one value in the first row */
@@ -42,9 +44,10 @@ struct um_optics_spectra {
   double *lobe_share;             /* [nskin] how often a path takes the lobe [1] */
   struct um_materials_lobe *flat; /* [nskin] the same on one patch of a creased surface */
   const struct um_optics_creases *creases; /* of the scene; NULL: nothing is creased */
-  bool grain;                              /* a lobe is anisotropic, or there are patches */
-  struct um_optics_lobe_facets *facets;    /* [nskin] of the lobe */
-  struct um_vec3 *half;                    /* [nskin][rings][cells] behind facets */
+  bool varies;                             /* the Earth of the scene */
+  bool grain; /* a lobe is anisotropic, there are patches, or the Earth varies */
+  struct um_optics_lobe_facets *facets; /* [nskin] of the lobe */
+  struct um_vec3 *half;                 /* [nskin][rings][cells] behind facets */
   double *fresnel;                 /* [nskin][UM_OPTICS_FRESNEL_NODES][nbin] F at its nodes [1] */
   bool *has_lobe;                  /* [nskin][nband] F is not 0 in all of the band */
   struct um_optics_planck *planck; /* [nband] */
@@ -101,6 +104,10 @@ const double *um_optics_spectra_emissivity(const struct um_optics_spectra *spect
 /* The same before it is tilted. */
 const double *um_optics_spectra_untilted(const struct um_optics_spectra *spectra, size_t skin,
                                          double cosine, double *row);
+
+/* earth_rows.c: fills clear and cloud. UM_ERR_MEMORY. */
+enum um_status um_optics_earth_ratios_create(struct um_context *context,
+                                             struct um_optics_spectra *spectra);
 
 /* planck.c */
 /* Tables for temperatures from low to high [K]. UM_ERR_MEMORY. */

@@ -55,7 +55,7 @@ static struct um_environment_map *read_map(void)
 static struct um_environment_ground at(const struct um_environment_map *map, double latitude,
                                        double longitude, double month)
 {
-  struct um_environment_ground g = {-1.0, -1.0, -1.0};
+  struct um_environment_ground g = {-1.0, -1.0, -1.0, -1.0, -1.0};
   um_environment_map_at(map, latitude * UM_DEG, longitude * UM_DEG, month, &g);
   return g;
 }
@@ -118,6 +118,7 @@ static void one_value_is_uniform(void **state)
   um_environment_defaults(&a);
   um_environment_defaults(&b);
   b.earth = UM_EARTH_MAP;
+  b.earth_spectrum_on = false;
   b.map = map;
   const struct um_environment_globe globe = {
       .t_tai = EQUINOX, .pole = {0, 0, 1}, .greenwich = {1, 0, 0}};

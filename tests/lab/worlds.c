@@ -27,6 +27,9 @@
   {.name = "dusk-" s, DUSK, .without = s}, { .name = "dawn-" s, DAWN, PLACES, .without = s }
 #define SPECTRA                                                                                    \
   .set = {"parts.bus.outside=mli_kapton", "parts.array.front=cell_silicon", "parts.array.back=cfrp"}
+#define EARTH                                                                                      \
+  "environment.earth=knocke", "parts.bus.outside=mli_kapton", "parts.array.front=cell_silicon",    \
+      "parts.array.back=cfrp"
 /* The array close to the bus: they shade and warm parts of each other, so that one temperature a
  * face and the usual samples would cost the analyst a chi-square of 1100 where hidden light between
  * white walls is worth 360. On facets it is 17. */
@@ -111,6 +114,12 @@ static const struct lab_world worlds[] = {
      PLACES,
      .set = {"environment.earth=knocke"},
      .without = "earth_map"},
+
+    /* An Earth with its own spectrum, of mean cloud to the analyst. */
+    {.name = "dusk-earth_spectrum", DUSK, .set = {EARTH}, .without = "earth_spectrum"},
+    {.name = "dawn-earth_spectrum", DAWN, PLACES, .set = {EARTH}, .without = "earth_spectrum"},
+    {.name = "dusk-clouds", DUSK, .set = {EARTH}},
+    {.name = "dawn-clouds", DAWN, PLACES, .set = {EARTH}},
 
     /* To the analyst there is hardly anything inside that stores heat. */
     {.name = "dusk-hollow", DUSK, .set = {"parts.bus.interior.capacity_J_K=3000"}},

@@ -155,6 +155,8 @@ static const struct um_environment every = {
     1.0,
     1.0, /* longwave_factor */
     0.0,
+    true, /* earth_spectrum_on */
+    0.0,  /* mirror_cloud */
     {true, 0.1, 0.2, 0.3, 0.4, -INFINITY, INFINITY, 1.0, 1.1, 0.1, 1.1, 1.0, 2.0},
     6.4e6,
     UM_SHADOW_OBLATE,
@@ -207,6 +209,8 @@ static const struct {
     MEMBER(albedo_factor, ANOTHER),
     MEMBER(longwave_factor, ANOTHER),
     MEMBER(brightness_shift, ANOTHER),
+    MEMBER(earth_spectrum_on, ANOTHER),
+    MEMBER(mirror_cloud, COMPATIBLE),
     MEMBER(region.everywhere, ANOTHER),
     MEMBER(region.latitude, ANOTHER),
     MEMBER(region.longitude, ANOTHER),

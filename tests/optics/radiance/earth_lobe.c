@@ -40,14 +40,13 @@ static const struct {
 static struct um_optics_earth_before before(struct um_vec3 nadir, struct um_vec3 observer,
                                             struct um_vec3 sun)
 {
-  return (struct um_optics_earth_before){observer.z,
-                                         nadir.z,
-                                         sun.z,
-                                         um_vec3_dot(observer, nadir),
-                                         um_vec3_dot(observer, sun),
-                                         um_vec3_dot(nadir, sun),
-                                         H_RATIO,
-                                         NULL};
+  return (struct um_optics_earth_before){.normal_observer = observer.z,
+                                         .normal_nadir = nadir.z,
+                                         .normal_sun = sun.z,
+                                         .observer_nadir = um_vec3_dot(observer, nadir),
+                                         .observer_sun = um_vec3_dot(observer, sun),
+                                         .nadir_sun = um_vec3_dot(nadir, sun),
+                                         .h_ratio = H_RATIO};
 }
 
 static struct um_materials_lobe beckmann(double alpha)
