@@ -45,5 +45,14 @@ double um_environment_clear_sky_transmission(const struct um_environment_clear_s
  * scattered light (sky_light.h) or heat. To 7 % of LOWTRAN7 in 2 1/cm. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
+/* Optical depths of a whole column along a path (clear_sky.c), at an infrared wavelength [m] that
+ * is covered. */
+struct um_environment_infrared_depths {
+  double uniform, water, continuum, ozone; /* [1] */
+  double cooling;                          /* [K] */
+};
+struct um_environment_infrared_depths
+um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
+                               double airmass);
 
 #endif

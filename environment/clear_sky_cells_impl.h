@@ -2,8 +2,6 @@
 #ifndef UMBRA_ENVIRONMENT_CLEAR_SKY_CELLS_IMPL_H
 #define UMBRA_ENVIRONMENT_CLEAR_SKY_CELLS_IMPL_H
 
-#include "environment/clear_sky.h"
-
 /* Cells of 1 nm from 0.562 to 1.1 um; below there are no lines. k_w, k_u (clear_sky.c). */
 #define UM_VISIBLE_FROM  0.562e-6 /* [m] */
 #define UM_VISIBLE_STEP  0.001e-6 /* [m] */
@@ -24,14 +22,5 @@ struct um_environment_infrared_node {
 extern const struct um_environment_infrared_node um_environment_infrared_nodes[UM_INFRARED_NODES];
 /* At a wavenumber [1/m]; the ends hold beyond them. */
 struct um_environment_infrared_node um_environment_infrared_at(double wavenumber);
-
-/* Optical depths of a whole column along a path (clear_sky.c). */
-struct um_environment_infrared_depths {
-  double uniform, water, continuum, ozone; /* [1] */
-  double cooling;                          /* [K] */
-};
-struct um_environment_infrared_depths
-um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
-                               double airmass);
 
 #endif

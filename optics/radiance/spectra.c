@@ -235,8 +235,8 @@ void um_optics_spectra_materials(const struct um_context *context,
 {
   const struct um_optics_creases *creases = s->creases;
   bool compensated = scene->environment->multiple_scattering_on; /* from facet to facet */
-  s->grain = s->varies ||
-             (creases != NULL && creases->patches->first[creases->patches->nsurface] > 0);
+  s->grain =
+      s->varies || (creases != NULL && creases->patches->first[creases->patches->nsurface] > 0);
   for (size_t m = 0; m < s->nskin; m++) {
     size_t material = um_optics_material(s, m);
     const struct um_materials_record *record = scene->material[material];

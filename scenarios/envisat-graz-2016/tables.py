@@ -44,7 +44,7 @@ CHOICES = {
     "e* 0.005": ["parts.bus.mli.effective_emittance=0.005"],
     "e* 0.05": ["parts.bus.mli.effective_emittance=0.05"],
 }
-CONTRIBUTIONS = ("shadow_refraction", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
+CONTRIBUTIONS = ("shadow_refraction", "earth_map", "earth_spectrum", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
                  "absorptance_angle", "mutual_radiation", "solar_multiple_reflection", "specular_exchange", "bulk_temperature",
                  "inter_reflection")
 CREASES = {"flat": None, "3 deg, 0.1 m": "{tilt_rms_deg: 3, patch_m: 0.1}", "10 deg, too small to tell apart": "{tilt_rms_deg: 10}",
