@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/core/constants.h"
 #include "tests/effects/case.h"
 #include "tests/support/cmocka_all.h"
 
@@ -55,6 +56,22 @@ static const char *with_box(const char *more)
   at += strlen(mark);
   snprintf(text, sizeof text, "%.*s%s%s", (int)(at - case_satellite), case_satellite, more, at);
   return text;
+}
+
+/* Patches too small to tell apart are a rougher surface: Beckmann's alpha^2 + 2 tan^2(tilt), to the
+ * rounding of the factor. grey_panel has alpha 0.265. */
+static void small_patches_are_roughness(void **state)
+{
+  (void)state;
+  char rough[80];
+  double slope = tan(3.0 * UM_DEG) / 0.265;
+  snprintf(rough, sizeof rough, "roughness:grey_panel,factor=%.17g",
+           sqrt(1.0 + 2.0 * slope * slope));
+  struct case_run run[] = {case_with(case_plate, "panel_flatness:plate,tilt_square_deg2=9"),
+                           case_with(case_plate, rough)};
+  case_near("sunlight", case_intensity(&run[0], 1, "vis", "grey_panel", UM_MECHANISM_SUN),
+            case_intensity(&run[1], 1, "vis", "grey_panel", UM_MECHANISM_SUN), 1e-9);
+  RELEASE(run);
 }
 
 /* What the box mirrors of Sun and Earth, in both bands, summed over the run [W/sr]. */
@@ -131,6 +148,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(panels_tilt_as_sheet_does),
+      cmocka_unit_test(small_patches_are_roughness),
       cmocka_unit_test(sheet_and_panels_of_one_part),
       cmocka_unit_test(groups_before_parts),
       cmocka_unit_test(refusals),
