@@ -198,9 +198,12 @@ struct um_effect_hooks {
                           struct um_thermal_shell *wall, struct um_thermal_mli *mli);
   enum um_status (*contact)(struct um_context *, const struct um_effect_use *,
                             struct um_thermal_contact *);
-  /* How the surfaces of a group of a part hang; NULL: it wears no MLI and states no creases. */
+  /* How the surfaces of a group of a part are tilted: of one of sheet, which wears MLI or states
+   * creases, and of any other. */
   enum um_status (*creases)(struct um_context *, const struct um_effect_use *, const char *part,
                             const char *group, struct um_geometry_creasing *);
+  enum um_status (*flatness)(struct um_context *, const struct um_effect_use *, const char *part,
+                             const char *group, struct um_geometry_creasing *);
   /* From the time tag of an observation to its true time [s]. */
   double (*time)(const struct um_effect_use *, double t_tai);
   /* The exposure as it is, from what scenario or measurement say [s], not negative. */

@@ -1,40 +1,10 @@
-/* Creases of MLI: a blanket hangs in flat patches that are tilted a little. The tilt's mean square
- * adds to that of the scenario, t^2 = t_0^2 + v, as light goes with it and not with the tilt: in
- * v = 0 the lobe widens by d(alpha^2) = 2 dv (geometry/creases.h). */
-#include "base/core/constants.h"
+/* Creases of MLI: a blanket hangs in flat patches that are tilted a little. */
 #include "effects/list_impl.h"
-#include "geometry/creases.h"
+#include "effects/tilts_impl.h"
 
-static enum um_status crease(struct um_context *context, const struct um_effect_use *use,
-                             const char *part, const char *group,
-                             struct um_geometry_creasing *creasing)
-{
-  if (!um_effect_acts_on_group(use, part, group)) return UM_OK;
-  if (creasing == NULL) {
-    if (strcmp(use->target, part) == 0) return UM_OK;
-    return um_core_fail(context, UM_ERR_INPUT,
-                        "effect 'mli_creases': '%s.%s' has no MLI; accepted: a group with MLI, or "
-                        "one that states creases",
-                        part, group);
-  }
-  if (use->value[0] == 0.0) return UM_OK;
-  creasing->tilt_square = fmax(0.0, creasing->tilt_square + use->value[0] * UM_DEG * UM_DEG);
-  if (use->value[1] > 0.0) creasing->patch = use->value[1];
-  return UM_OK;
-}
-
-/* The most creased group of a target leads: a flatter one has no less than none. */
 static void stated(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
-  const struct um_geometry *g = n->geometry;
-  double most = 0.0;
-  for (size_t k = 0; k < um_geometry_group_count(g); k++) {
-    const struct um_geometry_group *group = um_geometry_group(g, (uint32_t)k);
-    if (um_effect_acts_on_group(&n->use, um_geometry_part_name(g, group->part), group->name))
-      most = fmax(most, n->creasing[k].tilt_square);
-  }
-  um_effect_state(out, "mean square of the creases' tilt", "deg^2", most / (UM_DEG * UM_DEG), 0.0,
-                  INFINITY);
+  um_effects_tilt_state(n, true, "mean square of the creases' tilt", out);
 }
 
 static const struct um_effect_parameter parameters[] = {
@@ -73,5 +43,5 @@ const struct um_effect um_effects_mli_creases = {
                     "satellite; the mean light alone cannot tell",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
     UM_EFFECT_PARAMETERS(parameters),
-    .hooks = {.creases = crease},
+    .hooks = {.creases = um_effects_tilt},
 };

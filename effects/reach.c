@@ -12,7 +12,8 @@ uint32_t um_effects_reach(const struct um_effect *effect)
     reach |= UM_REACH_GEOMETRY | UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->environment != NULL || effect->switch_off != NULL)
     reach |= UM_REACH_LIGHT | UM_REACH_THERMAL | UM_REACH_OPTICS;
-  if (h->material != NULL || h->creases != NULL) reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;
+  if (h->material != NULL || h->creases != NULL || h->flatness != NULL)
+    reach |= UM_REACH_THERMAL | UM_REACH_OPTICS;
   if (h->sky != NULL) reach |= UM_REACH_OPTICS;
   if (h->part != NULL || h->group != NULL || h->contact != NULL) reach |= UM_REACH_THERMAL;
   if (h->observation != NULL) reach |= UM_REACH_OBSERVATION;

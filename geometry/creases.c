@@ -1,4 +1,4 @@
-/* Patches of creased surfaces: a facet cut by the squares of its plane. */
+/* Tilted patches: a facet cut by the squares of its plane. */
 #include "geometry/creases.h"
 
 #include <math.h>
@@ -145,11 +145,11 @@ static enum um_status count_all(struct um_context *context, const struct um_geom
     if (!wanted[s] || !(c->tilt_square > 0.0) || !(c->patch > 0.0)) continue;
     all += geometry->mesh.area[surface->facet] / (c->patch * c->patch);
     if (!(all <= UM_GEOMETRY_PATCHES_MOST))
-      return um_core_fail(context, UM_ERR_INPUT,
-                          "part '%s': creases in patches of %g m are more than %g patches; "
-                          "accepted: larger patches, or patch_m 0 for those too small to tell "
-                          "apart",
-                          geometry->part[surface->part].name, c->patch, UM_GEOMETRY_PATCHES_MOST);
+      return um_core_fail(
+          context, UM_ERR_INPUT,
+          "part '%s': patches of %g m are more than %g; accepted: larger patches, or "
+          "patch_m 0 for those too small to tell apart",
+          geometry->part[surface->part].name, c->patch, UM_GEOMETRY_PATCHES_MOST);
     struct plane plane = plane_of(geometry, s, c);
     out->first[s + 1] += cut_facet(&plane, 0.0, NULL, 0);
     UM_TRY(um_core_stop_check(context, "creases were cut"));

@@ -1,4 +1,4 @@
-/* Surfaces of sheet that hangs in flat patches, each tilted a little: creased MLI
+/* Surfaces of flat patches, each tilted a little: creased MLI, panels that are not flat
  * (docs/physics/creases.md).
  *
  * The plane of a facet is cut into squares along its grain and across it. A square's slopes are
@@ -15,11 +15,12 @@
 
 #include "geometry/geometry.h"
 
-/* How a group is creased; all zero: flat. */
+/* How the patches of a group are tilted; no tilt: flat. */
 struct um_geometry_creasing {
   double tilt_square; /* mean square of the tilt about each axis of the surface [rad^2] */
   double patch;       /* edge of a patch [m]; 0: patches too small to tell apart */
   uint64_t seed;
+  bool sheet; /* it hangs: MLI, or said to be creased; else a panel, a wall */
 };
 
 /* Mean square slope per axis, s^2 = tan^2(tilt) [1]. */

@@ -272,8 +272,8 @@ struct um_scenario_group {
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
   struct um_scenario_heat_pipe *heat_pipe;
-  struct um_scenario_creases *creases; /* NULL: the part's */
-  bool bare;                           /* no MLI here although the part has one */
+  struct um_scenario_creases *creases, *flatness; /* NULL: the part's; at most one of both */
+  bool bare;                                      /* no MLI here although the part has one */
   double interior_conductance_W_K, power_W;
   struct um_schema_list conductances; /* of struct um_scenario_inner_conductance */
   const char *power_file;
@@ -298,7 +298,7 @@ struct um_scenario_part {
   struct um_schema_list groups;    /* of struct um_scenario_group */
   struct um_scenario_shell *shell;
   struct um_scenario_mli *mli;
-  struct um_scenario_creases *creases;
+  struct um_scenario_creases *creases, *flatness;
   struct um_scenario_interior *interior;
   struct um_schema_list interiors; /* of struct um_scenario_interior */
   struct um_scenario_solid *solid;

@@ -174,17 +174,19 @@ static const struct um_schema_field creases_fields[] = {
     F(patch_m, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 10),
       HELP("edge of a patch; 0: too small to tell apart, the lobe is as wide as their mean")),
     F(seed, UM_SCHEMA_INTEGER, DEFAULT(1), BETWEEN(0, 1e9),
-      HELP("another number, other creases of the same kind")),
+      HELP("another number, other patches of the same kind")),
 };
 #undef OF
 OBJECT(creases_object, struct um_scenario_creases, "creases",
-       "A blanket that hangs in flat patches, each tilted a little.", FIELDS(creases_fields));
+       "A blanket or a panel of flat patches, each tilted a little.", FIELDS(creases_fields));
 #define OF struct um_scenario_group
 static const struct um_schema_field group_fields[] = {
     F(shell, UM_SCHEMA_MAP, .object = &shell_object),
     F(mli, UM_SCHEMA_MAP, .object = &mli_object),
     F(heat_pipe, UM_SCHEMA_MAP, .object = &heat_pipe_object),
     F(creases, UM_SCHEMA_MAP, .object = &creases_object),
+    F(flatness, UM_SCHEMA_MAP, .object = &creases_object,
+      HELP("where it has neither MLI nor creases")),
     F(bare, UM_SCHEMA_BOOL, DEFAULT(0), HELP("no MLI here although the part has one")),
     F(interior_conductance_W_K, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1e6),
       HELP("of the whole group to the interior")),
@@ -230,6 +232,8 @@ static const struct um_schema_field part_fields[] = {
     F(mli, UM_SCHEMA_MAP, .object = &mli_object),
     F(creases, UM_SCHEMA_MAP, .object = &creases_object,
       HELP("of all its groups but those that are bare")),
+    F(flatness, UM_SCHEMA_MAP, .object = &creases_object,
+      HELP("of its groups that have neither MLI nor creases: panels, walls")),
     F(interior, UM_SCHEMA_MAP, .object = &interior_object),
     F(interiors, UM_SCHEMA_DICT, MOST(1000), .behind = true, .object = &interiors_object,
       HELP("several nodes inside the part by name, beside interior; places PART.NAME")),

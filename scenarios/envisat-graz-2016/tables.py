@@ -46,7 +46,7 @@ CHOICES = {
 }
 CONTRIBUTIONS = ("shadow_refraction", "earth_map", "earth_spectrum", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
                  "absorptance_angle", "mutual_radiation", "solar_multiple_reflection", "specular_exchange", "bulk_temperature",
-                 "inter_reflection")
+                 "inter_reflection", "panel_flatness")
 CREASES = {"flat": None, "3 deg, 0.1 m": "{tilt_rms_deg: 3, patch_m: 0.1}", "10 deg, too small to tell apart": "{tilt_rms_deg: 10}",
            "10 deg, 0.1 m": "{tilt_rms_deg: 10, patch_m: 0.1}"}
 AIRS = {"us_standard": "{profile: us_standard}", "mid_latitude_summer": "{profile: mid_latitude_summer}"}

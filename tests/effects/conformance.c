@@ -53,6 +53,7 @@ static const struct entry cases[] = {
     {"mli_temperature_law", "box", 0.3, "panel", NULL},
     {"mli_seams", "box", 0.02, "panel", "seams do not insulate"},
     {"mli_creases", "box", 2.0, "vis", NULL},
+    {"panel_flatness", "wing", 2.0, "vis", NULL},
     {"heat_capacity", "panel", 0.1, "vis", NULL},
     {"specific_heat_law", "panel", 2e-4, "vis", NULL},
     {"interior_capacity", "bus", 500.0, "panel", NULL},

@@ -73,6 +73,9 @@ static const struct {
     {"dusk-air", NULL, {"twilight", "vis", NULL, 0, NAN, 4e5}},
     {"dusk-camera", NULL, {"nonlinearity", "vis", NULL, 0, -0.02, 0.03}},
     {"dusk-creases", "dawn-creases", {"mli_creases", "bus", "bus", 0, -16.0, 25.0}},
+    {"dusk-panels", NULL, {"panel_flatness", "array", NULL, 0, -1.5, 4.0}},
+    /* no face glints at dawn: flatter panels are lost in the noise */
+    {NULL, "dawn-panels", {"panel_flatness", NULL, "array", 0, NAN, 4.0}},
     {"dusk-films", "dawn-films", {"thin_film", "mli_kapton", "mli_kapton", 0, 0.7, 1.4}},
     {"dusk-clouds", "dawn-clouds", {"cloud_in_mirror", "", "", 0, -0.5, 0.35}},
     {"dusk-nutation", NULL, {"nutation", "", NULL, 0, -3.0, 4.0}},

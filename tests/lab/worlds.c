@@ -36,7 +36,8 @@
 #define CLOSE                                                                                      \
   "parts.array.pose.position_m=[0, 1.4, 0]", "parts.bus.lumped=false", "parts.array.lumped=false", \
       "thermal.facet_size_m=0.7", "optics.samples=25"
-#define CREASES "parts.bus.creases={tilt_rms_deg: 5, patch_m: 0.1}"
+#define CREASES  "parts.bus.creases={tilt_rms_deg: 5, patch_m: 0.1}"
+#define FLATNESS "parts.array.flatness={tilt_rms_deg: 1.5, patch_m: 0.5}"
 #define SPECTRAL(s)                                                                                \
   {                                                                                                \
     .name = "dusk-" s, DUSK, .without = s, SPECTRA                                                 \
@@ -139,6 +140,11 @@ static const struct lab_world worlds[] = {
      */
     {.name = "dusk-creases", DUSK, .set = {CREASES}},
     {.name = "dawn-creases", DAWN, PLACES, .set = {CREASES, "parts.bus.outside=mli_kapton"}},
+
+    /* Panels that are known to be off their plane are flatter or steeper: cells under glass, as of
+     * an array that was aligned badly. */
+    {.name = "dusk-panels", DUSK, .set = {FLATNESS, "parts.array.front=cell_silicon"}},
+    {.name = "dawn-panels", DAWN, PLACES, .set = {FLATNESS, "parts.array.front=cell_silicon"}},
 
     /* Of a body that has no axis of its own (inertia_ratio 1) nutation is a tip that stays, which
      * is an attitude offset. One that is flat along its axis nutates faster than it turns. */

@@ -66,7 +66,7 @@ static const char *const scenarios[] = {
     "     interiors: {boards: {capacity_J_K: 500, power_W: 3, conductance_W_K: 0.5}}}\n"
     "  - {name: wing, plate: {size_m: [1, 0.5]}, pose: {position_m: [0, 1, 0]}, lumped: true,\n"
     "     front: grey_panel, back: grey_white, electrical_extraction: 0.2, " SHELL ",\n"
-    "     joint: {axis: [1, 0, 0], angle_deg: 5}}\n"
+    "     joint: {axis: [1, 0, 0], angle_deg: 5}, flatness: {tilt_rms_deg: 1, patch_m: 0.1}}\n"
     "  - {name: block, box: {size_m: [0.2, 0.3, 0.2]}, pose: {position_m: [1, 0, 0]},\n"
     "     outside: grey_white, solid: {density_kg_m3: 2700, specific_heat_J_kg_K: 900,\n"
     "       conductivity_W_m_K: 150, tetrahedron_size_m: 0.5, power_W: 1}}\n"

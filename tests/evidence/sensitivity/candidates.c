@@ -300,10 +300,14 @@ static void test_stated(void **state)
       {"exposure", NULL, 5.0, 4.0, 9.0},
       {"mli_creases", "panel", 7.0, 9.0, 16.0},
       {"mli_creases", "panel", -20.0, 9.0, 0.0},
+      {"mli_creases", "bus", 9.0, 16.0, 25.0}, /* one side of sheet, the others panels */
+      {"panel_flatness", "bus", 0.75, 0.25, 1.0},
   };
   const char *const cells[] = {"parts.panel.electrical_extraction=0.18", "time.exposure_s=2",
-                               "parts.panel.creases={tilt_rms_deg: 3}"};
-  const struct um_model_options options = {.overrides = cells, .noverride = 3};
+                               "parts.panel.creases={tilt_rms_deg: 3}",
+                               "parts.bus.flatness={tilt_rms_deg: 0.5}",
+                               "parts.bus.groups.+x={creases: {tilt_rms_deg: 4}}"};
+  const struct um_model_options options = {.overrides = cells, .noverride = 5};
   put_world("");
   struct um_compare_measurements *m = measured();
   struct um_sensitivity_forward *f = forward_of(&options, m);

@@ -21,6 +21,7 @@
   "    joint: {axis: [0, 1, 0], angle_deg: 20}\n"                                                  \
   "    front: grey_panel\n"                                                                        \
   "    back: aluminium_bare\n"                                                                     \
+  "    flatness: {tilt_rms_deg: 2, patch_m: 0.3}\n"                                                \
   "    shell: {areal_heat_capacity_J_m2_K: 2000, through_conductance_W_m2_K: 50}\n"                \
   "    lumped: true\n"                                                                             \
   "thermal:"

@@ -30,7 +30,8 @@ static void plate(struct creased *c, double size, double facet, size_t ntime)
 static enum um_status try_crease(struct creased *c, double tilt_deg, double patch, uint64_t seed)
 {
   double tilt = tilt_deg * UM_DEG;
-  const struct um_geometry_creasing creasing = {tilt * tilt, patch, seed};
+  const struct um_geometry_creasing creasing = {
+      .tilt_square = tilt * tilt, .patch = patch, .seed = seed, .sheet = true};
   um_optics_creases_destroy(c->f.context, &c->creases);
   enum um_status status =
       um_optics_creases_create(c->f.context, c->f.geometry, &creasing, c->f.record, &c->creases);
@@ -244,8 +245,7 @@ static void what_is_drawn(void **state)
   assert_null(c.creases);
   plate(&c, 200.0, 2.0, 1);
   assert_int_equal(try_crease(&c, 29.0, 0.01, 1), UM_ERR_INPUT);
-  assert_non_null(
-      strstr(um_core_message(c.f.context), "part 'plate': creases in patches of 0.01 m"));
+  assert_non_null(strstr(um_core_message(c.f.context), "part 'plate': patches of 0.01 m"));
   release(&c);
   fixture_create(&c.f);
   fixture_material(&c.f, "m", 0.3, 0.0, 0.0, 0.7);
