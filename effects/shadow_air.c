@@ -1,26 +1,31 @@
-/* What the air at the edge of the shadow holds: ozone and aerosols times a factor, clouds higher or
+/* What the air at the edge of the shadow holds: more or less ozone and aerosol, clouds higher or
  * lower (environment/shadow_light.c). Ozone dims orange light, haze and clouds what passes below 10
  * km, the aerosol of the stratosphere what passes at 15 to 25 km. */
 #include "effects/list_impl.h"
 
-UM_EFFECT_ON_ENVIRONMENT(change, environment->ozone_factor *= use->value[0];
-                         environment->haze *= use->value[2]; environment->aerosol *= use->value[1];
-                         environment->cloud_shift += use->value[3] * 1e3)
-
-static void ozone(const struct um_effect_nominal *n, struct um_effect_stated *out)
+static enum um_status change(struct um_context *context, const struct um_effect_use *use,
+                             struct um_environment *environment)
 {
-  double whole = n->environment->ozone_dobson * n->environment->ozone_factor;
-  um_effect_state(out, "vertical column of ozone at the shadow's edge", "DU", whole, 0.0, INFINITY);
+  environment->ozone_factor *= 1.0 + 0.01 * use->value[0];
+  environment->aerosol += use->value[1];
+  environment->haze += use->value[2];
+  environment->cloud_shift += use->value[3] * 1e3; /* km -> m */
+  if (environment->aerosol >= 0.0 && environment->haze >= 0.0) return UM_OK;
+  return um_core_fail(context, UM_ERR_INPUT,
+                      "effect 'shadow_air': aerosol_depth %g and haze_depth %g make the depths %g "
+                      "and %g; accepted: 0 and more",
+                      use->value[1], use->value[2], environment->aerosol, environment->haze);
+}
+
+static void aerosol(const struct um_effect_nominal *n, struct um_effect_stated *out)
+{
+  um_effect_state(out, "optical depth of the stratosphere's aerosol at the shadow's edge", "1",
+                  n->environment->aerosol, 0.0, INFINITY);
 }
 static void haze(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
   um_effect_state(out, "optical depth of the troposphere's aerosol at the shadow's edge", "1",
                   n->environment->haze, 0.0, INFINITY);
-}
-static void aerosol(const struct um_effect_nominal *n, struct um_effect_stated *out)
-{
-  um_effect_state(out, "optical depth of the stratosphere's aerosol at the shadow's edge", "1",
-                  n->environment->aerosol, 0.0, INFINITY);
 }
 static void clouds(const struct um_effect_nominal *n, struct um_effect_stated *out)
 {
@@ -37,31 +42,25 @@ static const char *refusal(const struct um_effect_nominal *n)
   return "no air is at the edge of the shadow";
 }
 
-#define FACTOR(amount, low, high, sigma, from, whole, said)                                        \
+#define AMOUNT(title, of, low, high, sigma, from, whole, said)                                     \
   {                                                                                                \
-    .name = amount "_factor", .unit = "1", .help = said, .null_value = 1.0, .default_value = 1.0,  \
-    .minimum = (low), .maximum = (high), .prior_sigma = (sigma), .logarithmic = true,              \
-    .stated = (whole), .prior = (from)                                                             \
+    .name = (title), .unit = (of), .help = (said), .null_value = 0.0, .default_value = 0.0,        \
+    .minimum = (low), .maximum = (high), .prior_sigma = (sigma), .stated = (whole),                \
+    .prior = (from)                                                                                \
   }
 
 static const struct um_effect_parameter parameters[] = {
-    FACTOR("ozone", 0.3, 2.0, 0.12, "seasons and weather about the annual mean of a latitude, SBUV",
-           ozone, "of ozone, as stated or of the latitude"),
-    FACTOR("aerosol", 0.1, 100.0, 0.7,
-           "8th to 90th percentile of SAGE III, 2017 to 2026: 0.5 to 2.4; 15 after Pinatubo",
-           aerosol, "of the stratosphere's aerosol"),
-    FACTOR("haze", 0.05, 20.0, 0.7, "AERONET, clear ocean to hazy land: 0.03 to 0.3", haze,
-           "of the troposphere's aerosol"),
-    {.name = "cloud_top_shift_km",
-     .unit = "km",
-     .help = "added to the height of the clouds' tops",
-     .null_value = 0.0,
-     .default_value = 0.0,
-     .minimum = -8.0,
-     .maximum = 8.0,
-     .prior_sigma = 2.0,
-     .stated = clouds,
-     .prior = "rays that reach 7 km: 30 % in the tropics, 60 % at high latitudes, SAGE"},
+    AMOUNT("ozone_percent", "%", -80.0, 150.0, 12.0,
+           "seasons and weather about the annual mean of a latitude, SBUV", NULL,
+           "more ozone than stated, or than the latitude has"),
+    AMOUNT("aerosol_depth", "1", -0.05, 1.0, 0.01,
+           "8th to 90th percentile of SAGE III, 2017 to 2026: 0.004 to 0.02; 0.15 after Pinatubo",
+           aerosol, "of the stratosphere's aerosol at 0.55 um, beside the scenario's"),
+    AMOUNT("haze_depth", "1", -1.0, 5.0, 0.1, "AERONET, clear ocean to hazy land: 0.03 to 0.3",
+           haze, "of the troposphere's aerosol at 0.55 um, beside the scenario's"),
+    AMOUNT("cloud_top_km", "km", -8.0, 8.0, 2.0,
+           "rays that reach 7 km: 30 % in the tropics, 60 % at high latitudes, SAGE", clouds,
+           "added to the height of the clouds' tops"),
 };
 
 const struct um_effect um_effects_shadow_air = {

@@ -30,41 +30,55 @@ static size_t index_of(const char *name)
 
 static void each_changes_its_own(void **state)
 {
-  static const char *const names[] = {"ozone_factor", "aerosol_factor", "haze_factor",
-                                      "cloud_top_shift_km"};
+  static const char *const names[] = {"ozone_percent", "aerosol_depth", "haze_depth",
+                                      "cloud_top_km"};
   struct um_environment before;
   (void)state;
   um_environment_defaults(&before);
   for (size_t i = 0; i < 4; i++) {
-    double value[4] = {1.0, 1.0, 1.0, 0.0};
+    double value[4] = {0.0, 0.0, 0.0, 0.0};
     value[index_of(names[i])] = 1.5;
     struct um_environment e = with(value);
-    check_near("ozone", e.ozone_factor, i == 0 ? 1.5 : 1.0, 1e-15);
-    check_near("aerosol", e.aerosol / before.aerosol, i == 1 ? 1.5 : 1.0, 1e-15);
-    check_near("haze", e.haze / before.haze, i == 2 ? 1.5 : 1.0, 1e-15);
+    check_near("ozone", e.ozone_factor, i == 0 ? 1.015 : 1.0, 1e-15);
+    check_near("aerosol", e.aerosol - before.aerosol, i == 1 ? 1.5 : 0.0, 1e-15);
+    check_near("haze", e.haze - before.haze, i == 2 ? 1.5 : 0.0, 1e-15);
     check_near("clouds [m]", e.cloud_shift, i == 3 ? 1500.0 : 0.0, 1e-12);
     assert_true(e.air_factor == before.air_factor);
   }
 }
 
-/* What is said to change is the whole: a column that is stated, none that goes by latitude. */
+/* What is said to change is the whole, where it is one number: no height that goes by latitude. */
 static void says_the_whole(void **state)
 {
   struct um_environment e;
   struct um_effect_nominal nominal = {.environment = &e};
-  struct um_effect_stated ozone = {0}, clouds = {0};
+  struct um_effect_stated haze = {0}, clouds = {0};
   (void)state;
   um_environment_defaults(&e);
-  effect()->parameters[0].stated(&nominal, &ozone);
-  assert_true(isnan(ozone.value));
-  e.ozone_dobson = 300.0;
-  e.ozone_factor = 1.1;
+  effect()->parameters[3].stated(&nominal, &clouds);
+  assert_true(isnan(clouds.value));
+  e.haze = 0.25;
   e.cloud_top = 9e3;
   e.cloud_shift = -2e3;
-  effect()->parameters[0].stated(&nominal, &ozone);
+  effect()->parameters[2].stated(&nominal, &haze);
   effect()->parameters[3].stated(&nominal, &clouds);
-  check_near("ozone [DU]", ozone.value, 330.0, 1e-9);
+  check_near("haze", haze.value, 0.25, 1e-15);
   check_near("clouds [km]", clouds.value, 7.0, 1e-12);
+}
+
+/* No depth is below nothing. */
+static void refuses_less_than_none(void **state)
+{
+  struct um_context *context;
+  struct um_environment e;
+  const double value[4] = {0.0, -0.02, 0.0, 0.0};
+  struct um_effect_use use = {effect(), NULL, value, 0.0};
+  (void)state;
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  um_environment_defaults(&e);
+  assert_int_equal(effect()->hooks.environment(context, &use, &e), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(context), "aerosol_depth -0.02"));
+  um_core_context_destroy(&context);
 }
 
 static void has_nothing_to_do_without_air(void **state)
@@ -89,6 +103,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(each_changes_its_own),
       cmocka_unit_test(says_the_whole),
+      cmocka_unit_test(refuses_less_than_none),
       cmocka_unit_test(has_nothing_to_do_without_air),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
