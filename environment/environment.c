@@ -30,10 +30,11 @@ void um_environment_defaults(struct um_environment *out)
       .limb_darkening = 0.6, /* at 550 nm, Neckel & Labs 1994, Solar Physics 153:91 */
       .shadow_refraction_on = true,
       .air_factor = 1.0,
-      .ozone_dobson = 300.0, /* global mean, WMO Ozone Assessments */
+      .ozone_dobson = NAN,
+      .ozone_factor = 1.0,
       .haze = 0.1,      /* between sea and land, Holben et al. 2001, J. Geophys. Res. 106:12067 */
-      .aerosol = 0.005, /* without eruptions, Thomason et al. 2018, Earth Syst. Sci. Data 10:469 */
-      .cloud_top = 8e3, /* middle latitudes, Wang et al. 1996, J. Geophys. Res. 101:29407 */
+      .aerosol = 0.010, /* of 2017 to 2026, SAGE III: limb_profile.c */
+      .cloud_top = NAN,
       .albedo_on = true,
       .planet_on = true,
       .earthshine_on = true,

@@ -49,11 +49,14 @@ struct um_environment {
   /* the Earth's air before the Sun (shadow_light.h); limb is borrowed, never written; NULL: none */
   bool shadow_refraction_on;
   const struct um_environment_limb *limb;
-  double air_factor;         /* of the air's depth, not of its refraction [1] */
-  double ozone_dobson;       /* vertical column [Dobson units] */
-  double haze;               /* vertical optical depth of tropospheric aerosol at 0.55 um [1] */
-  double aerosol;            /* of the stratosphere's [1] */
-  double cloud_top;          /* height below which clouds hide more than half of what passes [m] */
+  double air_factor;   /* of the air's depth, not of its refraction [1] */
+  double ozone_dobson; /* vertical column [Dobson units]; NaN: by latitude (limb_profile.h) */
+  double ozone_factor; /* of it [1] */
+  double haze;         /* vertical optical depth of tropospheric aerosol at 0.55 um [1] */
+  double aerosol;      /* of the stratosphere's [1] */
+  /* height below which clouds hide more than half of what passes [m], NaN: by latitude; and what
+   * is added to it [m] */
+  double cloud_top, cloud_shift;
   bool albedo_on, planet_on; /* heat loads */
   bool earthshine_on;        /* sunlight reflected by the Earth, in the optics */
   bool earth_reflection_on;  /* Earth's own radiation reflected by the satellite, in the optics */

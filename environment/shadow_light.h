@@ -9,9 +9,11 @@
 
 /* What sunlit fractions need of the air, for one environment; never written afterwards. */
 struct um_environment_limb {
-  struct um_environment_limb_air air;
+  struct um_environment_limb_air straight; /* of middle latitudes, along straight rays */
+  struct um_environment_limb_air bent[UM_LIMB_ZONES];
   double share[UM_LIMB_BANDS];                       /* of sunlight by wavelength; sum 1 [1] */
   double depth[UM_LIMB_BANDS][UM_LIMB_CONSTITUENTS]; /* of um_environment_limb_depth [1] */
+  double dispersion[UM_LIMB_BANDS];                  /* of um_environment_limb_dispersion [1] */
 };
 /* The standard air over the radius of the environment's shadow, before its Sun. */
 void um_environment_limb_make(const struct um_environment *environment,
@@ -22,8 +24,9 @@ struct um_environment_shadow_light {
   double
       direct; /* share of the disc whose light meets no air, or all of it without refraction [1] */
   size_t count;
-  double
-      share[UM_LIMB_NODES]; /* of the light of the disc, spread by refraction, not yet dimmed [1] */
+  /* of the light of the disc, spread by refraction, not yet dimmed, and what is added to it for
+   * each unit that um_environment_limb_dispersion is above 1 [1] */
+  double share[UM_LIMB_NODES], slope[UM_LIMB_NODES];
   double depth[UM_LIMB_CONSTITUENTS][UM_LIMB_NODES]; /* column times what is stated of it [1] */
 };
 

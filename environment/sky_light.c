@@ -66,7 +66,8 @@ static void begin(const struct um_environment *environment, double height, doubl
 {
   const double *known = um_environment_sky_wavelengths;
   size_t last = 0;
-  um_environment_slant_make(&environment->limb->air, environment->shadow_radius, &light->slant);
+  um_environment_slant_make(&environment->limb->straight, environment->shadow_radius,
+                            &light->slant);
   light->height = height;
   light->ozone = environment->sky.ozone_dobson;
   light->haze = environment->sky.aerosol;

@@ -63,7 +63,7 @@ static void integrate_up(const struct um_environment_slant *slant, double z, dou
 void um_environment_slant_make(const struct um_environment_limb_air *air, double radius,
                                struct um_environment_slant *out)
 {
-  struct um_environment_limb_profile p = um_environment_limb_standard();
+  struct um_environment_limb_profile p = um_environment_limb_standard(UM_LIMB_MIDDLE);
   out->air = air;
   out->radius = radius;
   for (int c = 0; c < UM_LIMB_CONSTITUENTS; c++) {

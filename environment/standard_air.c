@@ -41,3 +41,9 @@ double um_environment_standard_air_density(double height)
   if (height <= HIGHEST) return below(height);
   return below(HIGHEST) * exp(-(height - HIGHEST) / SCALE_ABOVE);
 }
+
+double um_environment_refractivity(double wavelength)
+{
+  double um = fmax(wavelength * 1e6, 0.23), s2 = 1.0 / (um * um);
+  return 1e-8 * (5792105.0 / (238.0185 - s2) + 167917.0 / (57.362 - s2));
+}

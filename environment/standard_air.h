@@ -7,4 +7,10 @@
  * table; test: environment/standard_air. */
 double um_environment_standard_air_density(double height);
 
+/* Refractivity n - 1 of dry air of 15 deg C, 101325 Pa and 450 ppm of carbon dioxide, as on the
+ * ground of that atmosphere, at a wavelength [m] [1]. Source: Ciddor 1996, Appl. Opt. 35:1566, eq.
+ * 1, of 0.23 to 1.69 um; shorter waves as there, longer ones as the formula goes on. Test:
+ * environment/standard_air. */
+double um_environment_refractivity(double wavelength);
+
 #endif

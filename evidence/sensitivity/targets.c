@@ -142,7 +142,10 @@ static enum um_status leaves_environment(struct um_context *context, const struc
   for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
   const struct um_effect_use use = {.effect = effect, .value = value};
   memcpy(&changed, &model->environment, sizeof changed);
-  UM_TRY(effect->hooks.environment(context, &use, &changed));
+  if (effect->hooks.environment(context, &use, &changed) != UM_OK) { /* refused: said elsewhere */
+    um_core_message_clear(context);
+    return UM_OK;
+  }
   *out = memcmp(&changed, &model->environment, sizeof changed) == 0;
   return UM_OK;
 }

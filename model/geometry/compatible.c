@@ -20,6 +20,8 @@ static bool same(const void *a, const void *b, size_t count, size_t size)
   return count == 0 || memcmp(a, b, count * size) == 0;
 }
 
+static bool same_number(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
+
 /* --- light ----------------------------------------------------------------------------------- */
 
 static bool same_region(const struct um_environment_region *a,
@@ -60,8 +62,9 @@ static bool same_air(const struct um_environment *a, const struct um_environment
 {
   if (a->shadow_refraction_on != b->shadow_refraction_on) return false;
   return !a->shadow_refraction_on ||
-         (a->air_factor == b->air_factor && a->ozone_dobson == b->ozone_dobson &&
-          a->haze == b->haze && a->aerosol == b->aerosol && a->cloud_top == b->cloud_top &&
+         (a->air_factor == b->air_factor && same_number(a->ozone_dobson, b->ozone_dobson) &&
+          a->ozone_factor == b->ozone_factor && a->haze == b->haze && a->aerosol == b->aerosol &&
+          same_number(a->cloud_top, b->cloud_top) && a->cloud_shift == b->cloud_shift &&
           same_limb(a->limb, b->limb));
 }
 
@@ -104,8 +107,6 @@ static bool levels_find(const struct um_model *made, const struct um_model *mode
 }
 
 /* --- times and places ------------------------------------------------------------------------ */
-
-static bool same_number(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 
 static bool events_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {

@@ -51,14 +51,15 @@ OBJECT(earth_object, struct um_scenario_earth, "earth",
        .scalar_key = "model");
 #define OF struct um_scenario_shadow_air
 static const struct um_schema_field shadow_air_fields[] = {
-    F(ozone_DU, UM_SCHEMA_NUMBER, DEFAULT(300.0), BETWEEN(0, 1000),
-      HELP("vertical column of ozone, Dobson units")),
+    F(ozone_DU, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(0, 1000),
+      HELP("vertical column of ozone, Dobson units; default: annual mean of the latitude")),
     F(haze, UM_SCHEMA_NUMBER, DEFAULT(0.1), BETWEEN(0, 10),
       HELP("vertical optical depth of tropospheric aerosol at 0.55 um")),
-    F(stratospheric_aerosol, UM_SCHEMA_NUMBER, DEFAULT(0.005), BETWEEN(0, 1),
+    F(stratospheric_aerosol, UM_SCHEMA_NUMBER, DEFAULT(0.010), BETWEEN(0, 1),
       HELP("the same of the stratosphere; some 0.1 in the year after a large eruption")),
-    F(cloud_top_km, UM_SCHEMA_NUMBER, DEFAULT(8.0), BETWEEN(-50, 30),
-      HELP("height at which clouds hide half of the rays that pass; -50: no clouds")),
+    F(cloud_top_km, UM_SCHEMA_NUMBER, NO_DEFAULT, BETWEEN(-50, 30),
+      HELP("height at which clouds hide half of the rays that pass; -50: no clouds; default: mean "
+           "of the latitude")),
 };
 #undef OF
 OBJECT(shadow_air_object, struct um_scenario_shadow_air, "shadow_air",

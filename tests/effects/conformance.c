@@ -73,6 +73,7 @@ static const struct entry cases[] = {
     {"free_molecular_heating", NULL, 30.0, "bus", "no density is below 0"},
     {"solar_irradiance", NULL, 0.02, "bus", NULL},
     {"shadow_radius", NULL, 10.0, "bus", NULL},
+    {"shadow_air", NULL, 10.0, "bus", NULL},
     {"band_emissivity", "grey_panel", 0.05, "vis", NULL},
     {"directional_emissivity", "grey_panel", 0.3, "vis", NULL},
     {"roughness", "grey_panel", 0.1, "vis", NULL},

@@ -13,7 +13,7 @@ static struct um_environment_slant slant;
 /* Column from a point along a straight line of this zenith angle, in 50 m of way. */
 static double by_sum(enum um_environment_limb_constituent which, double height, double zenith_angle)
 {
-  struct um_environment_limb_profile p = um_environment_limb_standard();
+  struct um_environment_limb_profile p = um_environment_limb_standard(UM_LIMB_MIDDLE);
   double r = UM_EARTH_RADIUS + height, u = cos(zenith_angle), sum = 0.0, whole = 0.0;
   for (double z = 25.0; z < 140e3; z += 50.0) whole += 50.0 * p.density(p.self, which, z);
   for (double s = 25.0; s < 2600e3; s += 50.0) {
@@ -83,7 +83,7 @@ static void the_sun_comes_through_the_limb(void **state)
 
 static int begin(void **state)
 {
-  struct um_environment_limb_profile standard = um_environment_limb_standard();
+  struct um_environment_limb_profile standard = um_environment_limb_standard(UM_LIMB_MIDDLE);
   (void)state;
   um_environment_limb_air_make(&standard, UM_EARTH_RADIUS, &air);
   um_environment_slant_make(&air, UM_EARTH_RADIUS, &slant);

@@ -36,6 +36,7 @@ static const struct entry entries[] = {
     {"local_earth_ir", "", "", 0, 0.8, 1.2},
     {"solar_irradiance", "", "", 0, 0.97, 1.034},
     {"shadow_radius", "", "", 0, -4.0, 5.0},
+    {"shadow_air", "", "", 1, -0.008, 0.07},
     {"band_emissivity", "cfrp", "mli", 0, 0.92, 1.08},
     {"directional_emissivity", "cfrp", "mli", 0, -0.6, 0.8},
     {"roughness", "cell", "cell", 0, 0.8, 1.25},

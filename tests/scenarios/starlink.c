@@ -36,8 +36,51 @@ static void need(enum um_status status)
   if (status != UM_OK) fail_msg("%s", um_core_message(context));
 }
 
-/* Metrics of the only channel. */
-static struct um_compare_metrics metrics_of(const struct um_model_options *options)
+/* Residuals of rows [mag], above 0 where the model is too bright, whose straight line to the Sun is
+ * lowest at 5 to 40 km over the ellipsoid: their mean, less the median of those above 60 km. */
+struct below_40km {
+  size_t count;
+  double mean; /* [mag] */
+};
+
+/* That height [m], to 0.1 km. */
+static double tangent_height(const struct um_environment_sample *at)
+{
+  struct um_vec3 low =
+      um_vec3_sub(at->r, um_vec3_scale(at->sun, fmin(um_vec3_dot(at->r, at->sun), 0.0)));
+  double sine = um_vec3_dot(low, at->pole) / um_vec3_norm(low);
+  return um_vec3_norm(low) - UM_EARTH_RADIUS * (1.0 - UM_EARTH_FLATTENING * sine * sine);
+}
+
+static int ascending(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static struct below_40km below_40km(const struct um_compare_comparison *c)
+{
+  static double above[800];
+  struct below_40km out = {0, 0.0};
+  size_t nabove = 0;
+  for (size_t i = 0; i < c->run.plan->measurements->count; i++) {
+    size_t place = c->run.plan->observation[i];
+    if (place == UM_COMPARE_NOWHERE || !(c->residual[i].model > 0.0)) continue;
+    double h = tangent_height(&c->run.tables->sample[place * c->run.tables->nsub]);
+    double off = -2.5 * log10(c->residual[i].measured / c->residual[i].model);
+    if (h > 60e3) above[nabove++] = off;
+    if (h < 5e3 || h >= 40e3) continue;
+    out.mean += off;
+    out.count++;
+  }
+  qsort(above, nabove, sizeof *above, ascending);
+  out.mean = out.mean / (double)out.count - above[nabove / 2];
+  return out;
+}
+
+/* Metrics of the only channel; and of what the air takes, unless NULL. */
+static struct um_compare_metrics metrics_and_air(const struct um_model_options *options,
+                                                 struct below_40km *air)
 {
   struct um_compare_measurements *measurements;
   struct um_model *model;
@@ -54,6 +97,7 @@ static struct um_compare_metrics metrics_of(const struct um_model_options *optio
   need(um_compare_create(context, &run, 0.0, &comparison));
   assert_int_equal(comparison->nchannel, 1);
   struct um_compare_metrics all = comparison->channel[0].all;
+  if (air != NULL) *air = below_40km(comparison);
   um_compare_destroy(context, &comparison);
   um_model_result_destroy(context, &result);
   um_model_tables_destroy(context, &tables);
@@ -61,6 +105,27 @@ static struct um_compare_metrics metrics_of(const struct um_model_options *optio
   um_model_destroy(context, &model);
   um_compare_measurements_destroy(context, &measurements);
   return all;
+}
+
+static struct um_compare_metrics metrics_of(const struct um_model_options *options)
+{
+  return metrics_and_air(options, NULL);
+}
+
+/* 44 rows with a scatter of 0.75 mag: 0.11 mag of the mean. It must be below 0.15, with the air of
+ * climatology; without air it is 1.28, with ozone in one layer at 20 km and straight rays 0.30. */
+static void air_below_40_km(void **state)
+{
+  static const char *const air[] = {"shadow_refraction"};
+  struct um_model_options vacuum = {.without = air, .nwithout = 1};
+  struct below_40km with, without;
+  (void)state;
+  metrics_and_air(NULL, &with);
+  metrics_and_air(&vacuum, &without);
+  print_message("%zu rows: %+.3f mag, without air %+.3f\n", with.count, with.mean, without.mean);
+  assert_int_equal(with.count, 44);
+  assert_true(fabs(with.mean) < 0.15);
+  assert_true(without.mean > 1.0);
 }
 
 static void magnitudes(void **state)
@@ -230,7 +295,7 @@ static void out_of_the_plane(void **state)
   static const struct {
     size_t from, count;
     double correlation;
-  } cases[] = {{0, 2, 0.734}, {0, 1, 0.727}, {1, 1, 0.763}};
+  } cases[] = {{0, 2, 0.7387}, {0, 1, 0.7320}, {1, 1, 0.7680}};
   char table[2][UM_TEST_PATH], path[2][UM_TEST_PATH], set[2][UM_TEST_PATH + 32];
   const char *overrides[2] = {set[0], set[1]};
   (void)state;
@@ -257,7 +322,8 @@ static void out_of_the_plane(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(magnitudes), cmocka_unit_test(magnitudes_with_what_the_sky_decides),
+      cmocka_unit_test(magnitudes), cmocka_unit_test(air_below_40_km),
+      cmocka_unit_test(magnitudes_with_what_the_sky_decides),
       cmocka_unit_test(materials_are_the_laboratory), cmocka_unit_test(out_of_the_plane)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

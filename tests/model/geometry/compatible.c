@@ -167,9 +167,11 @@ static const struct um_environment every = {
     NULL,
     1.0,
     300.0,
+    1.0,
     0.1,
     1.0,
     1.0e4, /* cloud_top */
+    0.0,
     true,
     true,
     true,
@@ -233,9 +235,11 @@ static const struct {
     MEMBER(limb, ANOTHER),
     MEMBER(air_factor, ANOTHER),
     MEMBER(ozone_dobson, ANOTHER),
+    MEMBER(ozone_factor, ANOTHER),
     MEMBER(haze, ANOTHER),
     MEMBER(aerosol, ANOTHER),
     MEMBER(cloud_top, ANOTHER),
+    MEMBER(cloud_shift, ANOTHER),
     MEMBER(albedo_on, COMPATIBLE), /* switches and factors act behind the tables */
     MEMBER(planet_on, COMPATIBLE),
     MEMBER(earthshine_on, COMPATIBLE),
