@@ -176,8 +176,9 @@ static const struct um_app_verb verbs[] = {
          "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh with "
          "its sense, period_s and phase_deg are sought over all directions, by look-up on a "
          "reflectivity "
-         "map, and the best fitted by direct simulation. attitude.csv lists what agrees, with "
-         "how many sigma it stands apart from the best. Sunlight alone: bands that it rules.",
+         "map, and the best fitted with the whole model: sunlight, the Earth's light, light "
+         "between surfaces, air. attitude.csv lists what agrees, with how many sigma it stands "
+         "apart from the best. Bands that end by 2.5 um, where heat does not show.",
      .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
      .run = um_app_attitude, .group = UM_APP_COMPARE},
     {"report", "RESULTS...", "pages of results beside each other, in one page", .needs = "file",

@@ -34,18 +34,24 @@ static enum um_status check(struct um_context *context, const struct um_model_ma
                       nodes, grid->nphase, grid->nplane, grid->step / UM_DEG, NODES_MAX);
 }
 
-static enum um_status allocate(struct um_context *context, const struct um_model *model,
-                               const struct um_model_map_grid *grid, struct um_model_map *map)
+enum um_status um_model_map_allocate(struct um_context *context,
+                                     const struct um_model_map_grid *grid, double turn,
+                                     size_t nband, struct um_model_map **out)
 {
+  enum um_status status;
   size_t rows = (size_t)lround(0.5 * UM_PI / grid->step);
-  map->step = 0.5 * UM_PI / (double)rows;
-  map->nlatitude = 2 * rows + 1;
-  map->nlongitude = 4 * rows;
-  map->nphase = grid->nphase;
-  map->nband = model->nband;
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->phase_angle, &map->phase_angle));
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->nplane, &map->nplane));
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->first, &map->first));
+  struct um_model_map *map = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *map, &map));
+  *map = (struct um_model_map){.step = 0.5 * UM_PI / (double)rows,
+                               .turn = turn,
+                               .nlatitude = 2 * rows + 1,
+                               .nlongitude = 4 * rows,
+                               .nphase = grid->nphase,
+                               .nband = nband};
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->phase_angle, &map->phase_angle));
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->nplane, &map->nplane));
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->first, &map->first));
   for (size_t i = 0; i < map->nphase; i++) {
     map->phase_angle[i] = grid->phase_angle[i];
     map->nplane[i] = grid->phase_angle[i] > 0.0 ? grid->nplane : 1;
@@ -53,14 +59,27 @@ static enum um_status allocate(struct um_context *context, const struct um_model
     map->planes += map->nplane[i];
   }
   size_t n = map->planes * map->nlatitude * map->nlongitude * map->nband;
-  UM_TRY(um_core_allocate(context, n, sizeof *map->value, &map->value));
-  return um_core_allocate(context, n, sizeof *map->error, &map->error);
+  UM_CHECK(um_core_allocate(context, n, sizeof *map->value, &map->value));
+  UM_CHECK(um_core_allocate(context, n, sizeof *map->error, &map->error));
+  *out = map;
+  map = NULL;
+done:
+  um_model_map_destroy(context, &map);
+  return status;
 }
 
 static size_t node_at(const struct um_model_map *map, size_t plane, size_t latitude,
                       size_t longitude)
 {
   return ((plane * map->nlatitude + latitude) * map->nlongitude + longitude) * map->nband;
+}
+
+struct um_model_phase_vector um_model_map_place(const struct um_model_map *map, size_t phase,
+                                                size_t plane, size_t latitude, size_t longitude)
+{
+  return (struct um_model_phase_vector){
+      -0.5 * UM_PI + (double)latitude * map->step, -UM_PI + (double)longitude * map->step,
+      map->phase_angle[phase], map->turn * (double)plane / (double)map->nplane[phase]};
 }
 
 /* Directions of every node, in the order of `value`. */
@@ -72,9 +91,7 @@ static void directions(const struct um_model_map *map, struct um_vec3 *sun,
     for (size_t k = 0; k < map->nplane[g]; k++)
       for (size_t i = 0; i < map->nlatitude; i++)
         for (size_t j = 0; j < map->nlongitude; j++, n++) {
-          struct um_model_phase_vector at = {-0.5 * UM_PI + (double)i * map->step,
-                                             -UM_PI + (double)j * map->step, map->phase_angle[g],
-                                             UM_PI * (double)k / (double)map->nplane[g]};
+          struct um_model_phase_vector at = um_model_map_place(map, g, k, i, j);
           um_model_phase_directions(&at, &sun[n], &observer[n]);
         }
 }
@@ -87,8 +104,7 @@ enum um_status um_model_map_create(struct um_context *context, const struct um_m
   struct um_vec3 *sun = NULL, *observer = NULL;
   *out = NULL;
   UM_TRY(check(context, grid));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *map, &map));
-  UM_CHECK(allocate(context, model, grid, map));
+  UM_CHECK(um_model_map_allocate(context, grid, UM_PI, model->nband, &map));
   size_t n = map->planes * map->nlatitude * map->nlongitude;
   UM_CHECK(um_core_allocate(context, n, sizeof *sun, &sun));
   UM_CHECK(um_core_allocate(context, n, sizeof *observer, &observer));
@@ -137,7 +153,7 @@ static void add_node(const struct um_model_map *map, size_t phase, size_t i, siz
                      double weight, double *out)
 {
   size_t n = map->nplane[phase], low;
-  double turn = plane / UM_PI, share;
+  double turn = plane / map->turn, share;
   turn = (turn - floor(turn)) * (double)n;
   low = (size_t)turn;
   share = turn - (double)low;

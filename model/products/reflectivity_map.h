@@ -18,6 +18,7 @@ struct um_model_map_grid {
  * reflectance being reciprocal. */
 struct um_model_map {
   double step; /* [rad] */
+  double turn; /* that the planes of a phase angle share: pi, or 2 pi of what is not reciprocal */
   size_t nlatitude, nlongitude, nphase, nband;
   double *phase_angle; /* [nphase] [rad] */
   size_t *nplane;      /* [nphase] */
@@ -31,6 +32,14 @@ struct um_model_map {
  * um_model_reflectivity. The caller destroys. */
 enum um_status um_model_map_create(struct um_context *context, const struct um_model *model,
                                    const struct um_model_map_grid *grid, struct um_model_map **out);
+/* A grid without values, for what else lies on the directions of a body: planes share `turn`, and
+ * phase_angle is then any ascending coordinate above 0. UM_ERR_MEMORY. The caller destroys. */
+enum um_status um_model_map_allocate(struct um_context *context,
+                                     const struct um_model_map_grid *grid, double turn,
+                                     size_t nband, struct um_model_map **out);
+/* The place of a node. */
+struct um_model_phase_vector um_model_map_place(const struct um_model_map *map, size_t phase,
+                                                size_t plane, size_t latitude, size_t longitude);
 void um_model_map_destroy(struct um_context *context, struct um_model_map **map);
 
 /* A node over its planes: mean, spread (standard deviation over the planes) and the standard error
