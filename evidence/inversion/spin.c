@@ -11,6 +11,7 @@
 
 #define ROWS_LEAST 5 /* one more than parameters */
 #define LAWS_MAX   1e9
+#define REACH      100.0 /* times the best's chi-square without light between surfaces */
 
 double um_compare_spin_distance(const struct um_compare_spin_data *data,
                                 const struct um_compare_spin_law *a,
@@ -176,6 +177,33 @@ static void sort_out(const struct um_compare_spin_data *d, struct um_compare_spi
   for (size_t i = 0; i < n; i++) spins->spin[i].apart = sqrt((spins->spin[i].chi2 - best) / scale);
 }
 
+/* Fit every law without light between surfaces, then those that are in reach of the best with it:
+ * it costs as much as all else together many times, and no other can become the best. */
+static enum um_status fit_all(struct um_context *context, const struct um_compare_spin_data *d,
+                              const struct um_compare_spin_law *laws,
+                              struct um_compare_spins *spins)
+{
+  enum um_status status = UM_OK;
+  size_t n = spins->count;
+  bool has_between = um_compare_spin_has_between(d->model);
+  double best = INFINITY;
+  um_core_progress_begin(context, "fitting attitudes", has_between ? 2 * n : n);
+  for (size_t i = 0; i < (has_between ? 2 * n : n) && status == UM_OK; i++) {
+    struct um_compare_spin *own = &spins->spin[i % n];
+    bool between = i >= n;
+    struct um_compare_spin_law law = between ? law_of(own) : laws[i];
+    um_core_quiet_begin(context);
+    if (!between || own->chi2 <= REACH * best)
+      status = um_compare_spin_refine(context, d, &law, between, own);
+    um_core_quiet_end(context);
+    if (!between) best = fmin(best, own->chi2);
+    if (status == UM_OK) status = um_core_progress_step(context, 1);
+    if (status == UM_OK) status = um_core_stop_check(context, "attitudes were fitted");
+  }
+  um_core_progress_end(context);
+  return status;
+}
+
 enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_on_map *on_map,
                                      const struct um_model_map *map,
@@ -196,18 +224,8 @@ enum um_status um_compare_spins_find(struct um_context *context, const struct um
   UM_CHECK(um_compare_spin_earth(context, &d));
   UM_CHECK(um_compare_spin_grid(context, &d, &laws, &n, &spins->nlaw));
   UM_CHECK(um_core_allocate(context, n, sizeof *spins->spin, &spins->spin));
-  um_core_progress_begin(context, "fitting attitudes", n);
-  for (size_t i = 0; i < n; i++) {
-    um_core_quiet_begin(context);
-    status = um_compare_spin_refine(context, &d, &laws[i], &spins->spin[i]);
-    um_core_quiet_end(context);
-    if (status == UM_OK) status = um_core_progress_step(context, 1);
-    if (status == UM_OK) status = um_core_stop_check(context, "attitudes were fitted");
-    if (status != UM_OK) break;
-  }
-  um_core_progress_end(context);
-  if (status != UM_OK) goto done;
   spins->count = n;
+  UM_CHECK(fit_all(context, &d, laws, spins));
   sort_out(&d, spins);
   *out = spins;
   spins = NULL;

@@ -42,9 +42,10 @@ struct um_compare_spins {
  * map and the Earth's light on a coarse grid of its own. It takes the map's own error as 0.3 of
  * each value, so that a glint beside its place weighs no more than a few faint rows; its local
  * minima in phase at every axis and sense are gathered into solutions apart by more than steps of
- * the grid, and the best of these are fitted. UM_ERR_INPUT: another law, no sigma, a search that is
- * none, more than 1e9 laws, fewer than five rows. Others as um_model_reflectivity. The caller
- * destroys. */
+ * the grid, and the best of these are fitted;
+ * with light between surfaces those that without it are within 100 times the best's chi-square.
+ * UM_ERR_INPUT: another law, no sigma, a search that is none, more than 1e9 laws, fewer than five
+ * rows. Others as um_model_reflectivity. The caller destroys. */
 enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_on_map *on_map,
                                      const struct um_model_map *map,

@@ -206,7 +206,7 @@ enum um_status um_compare_spin_earth(struct um_context *context, struct um_compa
   UM_CHECK(um_compare_spin_frames(context, d->lvlh, d->on_map->sample, n, frame));
   nnode = nodes_find(d->on_map->sample, frame, n, node);
   for (size_t g = 0; g < nnode; g++) coordinate[g] = 1.0 + (double)g;
-  struct um_model_map_grid grid = {STEP, coordinate, nnode, PLANES};
+  struct um_model_map_grid grid = {STEP, coordinate, nnode, PLANES, 0.0};
   UM_CHECK(um_model_map_allocate(context, &grid, 2.0 * UM_PI, d->model->nband, &d->earth));
   place_rows(node, nnode, d, scratch);
   UM_CHECK(fill(context, d, node, frame));

@@ -88,10 +88,11 @@ bool um_compare_spin_has_between(const struct um_model *model);
 enum um_status um_compare_spin_grid(struct um_context *context,
                                     const struct um_compare_spin_data *data,
                                     struct um_compare_spin_law **out, size_t *count, size_t *nlaw);
-/* Fit a law, on the map and then by direct simulation. */
+/* Fit a law: on the map and then with the whole model but light between surfaces; between: with all
+ * of it at once. */
 enum um_status um_compare_spin_refine(struct um_context *context,
                                       const struct um_compare_spin_data *data,
-                                      const struct um_compare_spin_law *start,
+                                      const struct um_compare_spin_law *start, bool between,
                                       struct um_compare_spin *out);
 
 #endif

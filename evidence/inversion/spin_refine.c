@@ -89,7 +89,7 @@ static void keep(const struct um_inference_fit *f, const struct um_compare_spin_
 
 enum um_status um_compare_spin_refine(struct um_context *context,
                                       const struct um_compare_spin_data *d,
-                                      const struct um_compare_spin_law *start,
+                                      const struct um_compare_spin_law *start, bool between,
                                       struct um_compare_spin *out)
 {
   enum um_status status;
@@ -100,8 +100,8 @@ enum um_status um_compare_spin_refine(struct um_context *context,
   UM_CHECK(um_core_allocate(context, d->count, sizeof *sigma, &sigma));
   UM_CHECK(um_core_allocate(context, d->model->nband, sizeof(double), &trial.scratch));
   for (size_t i = 0; i < d->count; i++) measured[i] = d->row[i].value;
-  enum stage last = um_compare_spin_has_between(d->model) ? BETWEEN : ALONE;
-  for (trial.stage = ON_MAP; trial.stage <= last; trial.stage++) {
+  enum stage last = between ? BETWEEN : ALONE;
+  for (trial.stage = between ? BETWEEN : ON_MAP; trial.stage <= last; trial.stage++) {
     UM_CHECK(fit(context, &trial, measured, sigma, &f));
     struct um_compare_spin_law law = law_at(&trial, f->x);
     keep(f, &law, out);

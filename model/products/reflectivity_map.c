@@ -5,6 +5,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/interpolation.h"
+#include "model/products/map_cells_impl.h"
 #include "model/products/reflectivity.h"
 
 #define NODES_MAX 2e7
@@ -48,7 +49,8 @@ enum um_status um_model_map_allocate(struct um_context *context,
                                .nlatitude = 2 * rows + 1,
                                .nlongitude = 4 * rows,
                                .nphase = grid->nphase,
-                               .nband = nband};
+                               .nband = nband,
+                               .tolerance = grid->tolerance};
   UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->phase_angle, &map->phase_angle));
   UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->nplane, &map->nplane));
   UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->first, &map->first));
@@ -58,7 +60,8 @@ enum um_status um_model_map_allocate(struct um_context *context,
     map->first[i] = map->planes;
     map->planes += map->nplane[i];
   }
-  size_t n = map->planes * map->nlatitude * map->nlongitude * map->nband;
+  map->nnode = map->planes * map->nlatitude * map->nlongitude;
+  size_t n = map->nnode * map->nband;
   UM_CHECK(um_core_allocate(context, n, sizeof *map->value, &map->value));
   UM_CHECK(um_core_allocate(context, n, sizeof *map->error, &map->error));
   *out = map;
@@ -105,12 +108,13 @@ enum um_status um_model_map_create(struct um_context *context, const struct um_m
   *out = NULL;
   UM_TRY(check(context, grid));
   UM_CHECK(um_model_map_allocate(context, grid, UM_PI, model->nband, &map));
-  size_t n = map->planes * map->nlatitude * map->nlongitude;
+  size_t n = map->nnode;
   UM_CHECK(um_core_allocate(context, n, sizeof *sun, &sun));
   UM_CHECK(um_core_allocate(context, n, sizeof *observer, &observer));
   directions(map, sun, observer);
   UM_CHECK(um_model_reflectivity(context, model, "mapping reflectivity", sun, observer, n,
                                  map->value, map->error));
+  if (grid->tolerance > 0.0) UM_CHECK(um_model_map_refine(context, model, map));
   *out = map;
   map = NULL;
 done:
@@ -123,7 +127,7 @@ void um_model_map_destroy(struct um_context *context, struct um_model_map **map)
 {
   if (map == NULL || *map == NULL) return;
   UM_FREE(context, (*map)->phase_angle, (*map)->nplane, (*map)->first, (*map)->value, (*map)->error,
-          *map);
+          (*map)->added, (*map)->cell, (*map)->floor, *map);
   *map = NULL;
 }
 
@@ -163,6 +167,27 @@ static void add_node(const struct um_model_map *map, size_t phase, size_t i, siz
   for (size_t k = 0; k < map->nband; k++) out[k] += weight * ((1.0 - share) * a[k] + share * b[k]);
 }
 
+/* A cell that a refined map has, in the two planes about a place; true: it was added. Within it the
+ * plane counts from the place's own meridian: refined cells are small. */
+static bool add_refined(const struct um_model_map *map, size_t phase, size_t i, size_t j,
+                        const struct um_model_phase_vector *at, const double f[2], double weight,
+                        double *out)
+{
+  size_t n = map->nplane[phase], low;
+  double turn = at->plane / map->turn;
+  if (map->cell == NULL) return false;
+  turn = (turn - floor(turn)) * (double)n;
+  low = (size_t)turn % n;
+  double share = turn - floor(turn);
+  const struct um_model_map_cell *a = um_model_map_cell_of(map, map->first[phase] + low, i, j);
+  const struct um_model_map_cell *b =
+      um_model_map_cell_of(map, map->first[phase] + (low + 1) % n, i, j);
+  if (a->half == 0 && b->half == 0 && !a->logarithmic && !b->logarithmic) return false;
+  um_model_map_cell_add(map, phase, a, f, weight * (1.0 - share), out);
+  um_model_map_cell_add(map, phase, b, f, weight * share, out);
+  return true;
+}
+
 /* The four nodes about a place, at one phase angle. */
 static void add_phase(const struct um_model_map *map, size_t phase,
                       const struct um_model_phase_vector *at, double weight, double *out)
@@ -171,6 +196,7 @@ static void add_phase(const struct um_model_map *map, size_t phase,
   size_t i = (size_t)fmin(fmax(floor(y), 0.0), (double)map->nlatitude - 2.0);
   double fy = fmin(fmax(y - (double)i, 0.0), 1.0), column = floor(x), fx = x - column;
   size_t j = (size_t)(column + 4.0 * (double)map->nlongitude) % map->nlongitude;
+  if (add_refined(map, phase, i, j, at, (const double[2]){fy, fx}, weight, out)) return;
   for (size_t d = 0; d < 4; d++) {
     size_t north = d / 2, east = d % 2;
     double w = weight * (north ? fy : 1.0 - fy) * (east ? fx : 1.0 - fx);

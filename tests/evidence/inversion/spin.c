@@ -94,7 +94,7 @@ static struct um_compare_spins *find(const struct um_model *model,
   struct um_model_map *map = NULL;
   double phase[4];
   for (size_t i = 0; i < 4; i++) phase[i] = degrees[i] * UM_DEG;
-  struct um_model_map_grid grid = {9.0 * UM_DEG, phase, 4, 4};
+  struct um_model_map_grid grid = {9.0 * UM_DEG, phase, 4, 4, 0.0};
   struct um_compare_spin_search search = {12.0 * UM_DEG, 6.0 * UM_DEG, 190.0, 210.0, keep};
   assert_ok(um_compare_on_map_create(context, model, m, &on_map));
   assert_ok(um_model_map_create(context, model, &grid, &map));
