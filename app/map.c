@@ -105,7 +105,8 @@ static void json_band(const struct work *w, size_t b)
   for (int k = 0, n = 0; k < UM_MAP_WHERES; k++) {
     const struct um_model_map_off *off = &w->error->off[(size_t)k * w->map->nband + b];
     if (w->error->n[k] == 0) continue;
-    um_core_json_text(stdout, n++ > 0 ? ", {" : "{", "where", um_model_map_where_name(k));
+    um_core_json_text(stdout, n++ > 0 ? ", {" : "{", "where",
+                      um_model_map_where_name((enum um_model_map_where)k));
     printf(", \"places\": %zu", w->error->n[k]);
     um_core_json_field(stdout, ", ", "mean_m2_sr", off->mean);
     um_core_json_field(stdout, ", ", "rms_m2_sr", off->rms);

@@ -44,8 +44,8 @@ enum um_status um_output_write_map_error(struct um_context *context, const struc
     for (int where = 0; where < UM_MAP_WHERES; where++) {
       const struct um_model_map_off *off = &of->error->off[(size_t)where * nband + b];
       if (of->error->n[where] == 0) continue;
-      fprintf(file, "%s,%s,%zu", of->model->band[b].name, um_model_map_where_name(where),
-              of->error->n[where]);
+      fprintf(file, "%s,%s,%zu", of->model->band[b].name,
+              um_model_map_where_name((enum um_model_map_where)where), of->error->n[where]);
       um_core_csv_put_number(file, off->mean);
       um_core_csv_put_number(file, off->rms);
       um_core_csv_put_number(file, off->largest);

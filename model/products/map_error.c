@@ -111,8 +111,8 @@ enum um_status um_model_map_error_measure(struct um_context *context, const stru
   for (int where = 0; where < UM_MAP_WHERES; where++) {
     if (where == UM_MAP_AT_NORMALS && normals.n == 0) continue;
     error->n[where] = PLACES;
-    UM_CHECK(
-        measure(context, model, map, &normals, where, error->off + (size_t)where * map->nband));
+    UM_CHECK(measure(context, model, map, &normals, (enum um_model_map_where)where,
+                     error->off + (size_t)where * map->nband));
   }
   *out = error;
   error = NULL;

@@ -219,7 +219,7 @@ static enum um_status find_means(struct um_context *context, struct work *w,
   enum um_status status = UM_OK;
   for (size_t i = 0; i < n && status == UM_OK; i++) {
     uint32_t node;
-    double latitude = -0.5 * UM_PI + ((double)(c[i].south / w->unit) + 0.5) * map->step;
+    double latitude = -0.5 * UM_PI + ((double)c[i].south / (double)w->unit + 0.5) * map->step;
     status =
         node_at(context, w, &c[i], c[i].south + c[i].high / 2, c[i].west + c[i].wide / 2, &node);
     weights[c[i].phase] += cos(latitude);
