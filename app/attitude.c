@@ -137,8 +137,8 @@ static void print_all(const struct work *w)
   if (agreeing(s) == 0)
     printf(
         "no solution agrees: reduced chi-square of the best %.3g. The right one lies between the "
-        "axes and periods that were tried, or outside them, or the light is not the Sun's "
-        "alone; a finer --axis-step and --step look closer\n",
+        "axes and periods that were tried, or outside them, or the scenario lacks what the light "
+        "shows; a finer --axis-step and --step look closer\n",
         reduced(s, 0));
   const struct um_compare_spin *best = &s->spin[0];
   printf("the best as keys: --set attitude.0.spin.axis_%s=[%.6f,%.6f,%.6f] --set "

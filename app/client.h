@@ -19,7 +19,8 @@ struct um_app_option;
 #define UM_APP_MAP_STEP          2   /* [deg] */
 #define UM_APP_MAP_PHASE_ANGLES  "0" /* [deg] */
 #define UM_APP_MAP_PLANES        4
-#define UM_APP_AXIS_STEP         5 /* [deg] */
+#define UM_APP_MAP_TOLERANCE     0.1 /* [1] */
+#define UM_APP_AXIS_STEP         5   /* [deg] */
 #define UM_APP_SOLUTIONS         24
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
@@ -75,8 +76,8 @@ struct um_app_options {
   int steps;                                         /* 0: not said */
   const char *from_brdf, *half_angle, *from_profile; /* of materials */
   const char *from_reflectance, *reference, *angle;
-  /* of map and attitude: --step, --phase-angles, --planes */
-  const char *step, *phase_angles;
+  /* of map and attitude: --step, --phase-angles, --planes, --tolerance */
+  const char *step, *phase_angles, *map_tolerance;
   int planes;
   const char *period, *axis_step; /* of attitude: --period, --axis-step */
   int solutions;                  /* --solutions */

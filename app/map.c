@@ -15,6 +15,7 @@
 struct work {
   struct um_model *model;
   struct um_model_map *map;
+  struct um_model_map_error *error;
   struct um_model_map_pass *pass; /* NULL: no observer, or orbit.points without measurements */
   struct um_compare_measurements *measurements;
   struct um_compare_on_map *on_map;
@@ -25,37 +26,46 @@ struct work {
 
 /* ---- what is said ---- */
 
-static void summary(const struct work *w, size_t band, struct um_model_map_node *high, double at[2],
-                    double *mean)
+/* The highest node of the grid, and where it is [deg]. */
+static struct um_model_map_node highest(const struct work *w, size_t band, double at[2])
 {
   const struct um_model_map *map = w->map;
-  double weights = 0.0;
-  *high = (struct um_model_map_node){0.0, 0.0, 0.0};
-  *mean = at[0] = at[1] = 0.0;
-  for (size_t i = 0; i < map->nlatitude; i++) {
-    double latitude = -0.5 * UM_PI + (double)i * map->step;
+  struct um_model_map_node high = {0.0, 0.0, 0.0};
+  at[0] = at[1] = 0.0;
+  for (size_t i = 0; i < map->nlatitude; i++)
     for (size_t j = 0; j < map->nlongitude; j++) {
       struct um_model_map_node node = um_model_map_node(map, 0, i, j, band);
-      *mean += cos(latitude) * node.mean;
-      weights += cos(latitude);
-      if (node.mean > high->mean) {
-        *high = node;
-        at[0] = latitude / UM_DEG;
-        at[1] = -180.0 + (double)j * map->step / UM_DEG;
-      }
+      if (!(node.mean > high.mean)) continue;
+      high = node;
+      at[0] = -90.0 + (double)i * map->step / UM_DEG;
+      at[1] = -180.0 + (double)j * map->step / UM_DEG;
     }
+  return high;
+}
+
+/* How far looking up is off, over all directions and where glints are. */
+static void print_off(const struct work *w, size_t b)
+{
+  static const char *const where[UM_MAP_WHERES] = {"over all directions",
+                                                   "within 5 deg of normals"};
+  for (int k = 0; k < UM_MAP_WHERES; k++) {
+    const struct um_model_map_off *off = &w->error->off[(size_t)k * w->map->nband + b];
+    if (w->error->n[k] > 0 && off->mean > 0.0)
+      printf("      looking up is off %s by %.2g %% rms and %.2g %% at most, of %.4g m2/sr in the "
+             "mean of %zu places\n",
+             where[k], 100.0 * off->rms / off->mean, 100.0 * off->largest / off->mean, off->mean,
+             w->error->n[k]);
   }
-  *mean /= weights;
 }
 
 static void print_band(const struct work *w, size_t b)
 {
-  struct um_model_map_node high;
-  double at[2], mean;
-  summary(w, b, &high, at, &mean);
+  double at[2], mean = um_model_map_mean(w->map, 0, b);
+  struct um_model_map_node high = highest(w, b, at);
   printf("%-5s at %g deg: %.4g m2/sr in the mean, %.4g at most, at latitude %.4g, longitude %.4g "
          "deg\n",
          w->model->band[b].name, w->map->phase_angle[0] / UM_DEG, mean, high.mean, at[0], at[1]);
+  print_off(w, b);
   if (w->pass == NULL) return;
   struct um_model_map_difference d = um_model_map_difference(w->pass, b);
   if (d.count == 0 || !(d.mean > 0.0)) return;
@@ -67,9 +77,14 @@ static void print_band(const struct work *w, size_t b)
 
 static void print_all(const struct work *w)
 {
+  size_t grid = w->map->planes * w->map->nlatitude * w->map->nlongitude;
   printf("%s: map of %zu x %zu nodes, %zu phase angles, %zu planes in all\n",
          w->model->scenario->name, w->map->nlongitude, w->map->nlatitude, w->map->nphase,
          w->map->planes);
+  if (w->map->tolerance > 0.0)
+    printf("%zu nodes of the grid, %zu more where cells are off by more than %g of the larger of "
+           "value and mean; %zu cells stay so\n",
+           grid, w->map->nnode - grid, w->map->tolerance, w->map->unfinished);
   for (size_t b = 0; b < w->model->nband; b++) print_band(w, b);
   if (w->on_map != NULL)
     printf("%s: %zu rows on the map, %zu in the shadow left out\n", w->measurements->path,
@@ -79,14 +94,26 @@ static void print_all(const struct work *w)
 
 static void json_band(const struct work *w, size_t b)
 {
-  struct um_model_map_node high;
-  double at[2], mean;
-  summary(w, b, &high, at, &mean);
+  double at[2], mean = um_model_map_mean(w->map, 0, b);
+  struct um_model_map_node high = highest(w, b, at);
   um_core_json_text(stdout, "{", "name", w->model->band[b].name);
   um_core_json_field(stdout, ", ", "mean_m2_sr", mean);
   um_core_json_field(stdout, ", ", "highest_m2_sr", high.mean);
   um_core_json_field(stdout, ", ", "highest_latitude_deg", at[0]);
   um_core_json_field(stdout, ", ", "highest_longitude_deg", at[1]);
+  printf(", \"look_up\": [");
+  for (int k = 0, n = 0; k < UM_MAP_WHERES; k++) {
+    const struct um_model_map_off *off = &w->error->off[(size_t)k * w->map->nband + b];
+    if (w->error->n[k] == 0) continue;
+    um_core_json_text(stdout, n++ > 0 ? ", {" : "{", "where",
+                      um_model_map_where_name((enum um_model_map_where)k));
+    printf(", \"places\": %zu", w->error->n[k]);
+    um_core_json_field(stdout, ", ", "mean_m2_sr", off->mean);
+    um_core_json_field(stdout, ", ", "rms_m2_sr", off->rms);
+    um_core_json_field(stdout, ", ", "largest_m2_sr", off->largest);
+    printf("}");
+  }
+  printf("]");
   if (w->pass != NULL) {
     struct um_model_map_difference d = um_model_map_difference(w->pass, b);
     printf(", \"pass_instants\": %zu", d.count);
@@ -106,7 +133,7 @@ static void json_all(const struct work *w)
   printf(", \"phase_angles_deg\": [");
   for (size_t g = 0; g < w->map->nphase; g++)
     printf("%s%.9g", g > 0 ? ", " : "", w->map->phase_angle[g] / UM_DEG);
-  printf("]");
+  printf("], \"nodes\": %zu, \"unfinished_cells\": %zu", w->map->nnode, w->map->unfinished);
   if (w->on_map != NULL)
     printf(", \"measured_rows\": %zu, \"rows_in_shadow\": %zu", w->on_map->count, w->on_map->dark);
   printf(",\n  \"bands\": [");
@@ -145,10 +172,13 @@ static enum um_status measured_table(struct um_context *context, const struct wo
 static enum um_status write_all(struct um_context *context, const struct um_app_options *options,
                                 struct work *w)
 {
-  struct um_output_map of = {w->model, w->map, w->pass, w->on_map != NULL};
+  struct um_output_map of = {w->model, w->map, w->error, w->pass, w->on_map != NULL};
   const char *folder = um_core_folder_path(w->folder);
   char *exr = NULL;
   UM_TRY(table(context, &of, w->folder, "map.csv", um_output_write_map));
+  UM_TRY(table(context, &of, w->folder, "error.csv", um_output_write_map_error));
+  if (w->map->tolerance > 0.0)
+    UM_TRY(table(context, &of, w->folder, "refined.csv", um_output_write_map_refined));
   if (w->pass != NULL) UM_TRY(table(context, &of, w->folder, "pass.csv", um_output_write_map_pass));
   if (w->on_map != NULL) UM_TRY(measured_table(context, w));
   UM_TRY(um_core_asprintf(context, &exr, "%s/map.exr", folder));
@@ -172,6 +202,7 @@ static enum um_status compute(struct um_context *context, const struct um_app_op
   UM_TRY(um_app_out_folder(context, options, w->model->scenario->name, &w->out));
   UM_TRY(um_core_folder_begin(context, w->out, options->force, &w->folder));
   UM_TRY(um_model_map_create(context, w->model, grid, &w->map));
+  UM_TRY(um_model_map_error_measure(context, w->model, w->map, &w->error));
   if (w->model->has_observer && !w->model->points)
     UM_TRY(um_model_map_pass_create(context, w->model, w->map, &w->pass));
   if (w->on_map != NULL)
@@ -198,6 +229,7 @@ done:
   um_core_folder_abort(&w.folder);
   um_model_map_pass_destroy(context, &w.at_measured);
   um_model_map_pass_destroy(context, &w.pass);
+  um_model_map_error_destroy(context, &w.error);
   um_model_map_destroy(context, &w.map);
   um_compare_on_map_destroy(context, &w.on_map);
   um_compare_measurements_destroy(context, &w.measurements);

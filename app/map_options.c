@@ -1,4 +1,4 @@
-/* --step, --phase-angles and --planes. */
+/* --step, --phase-angles, --planes and --tolerance. */
 #include "app/map_options.h"
 
 #include <math.h>
@@ -7,7 +7,8 @@
 #include "base/core/constants.h"
 #include "base/core/number.h"
 
-#define STEP_LEAST 0.1 /* [deg] */
+#define STEP_LEAST      0.1 /* [deg] */
+#define TOLERANCE_LEAST 1e-3
 
 static int misuse(const char *what)
 {
@@ -40,7 +41,7 @@ static bool phase_angles(const char *text, struct um_app_map_options *out)
 int um_app_map_options_parse(const struct um_app_options *options, double default_step,
                              struct um_app_map_options *out)
 {
-  double step = default_step;
+  double step = default_step, tolerance = UM_APP_MAP_TOLERANCE;
   if (options->step != NULL && !um_core_number_parse(options->step, &step))
     return misuse("--step takes a number [deg]");
   if (!(step >= STEP_LEAST && step <= 90.0 && fabs(90.0 / step - round(90.0 / step)) < 1e-6))
@@ -49,6 +50,11 @@ int um_app_map_options_parse(const struct um_app_options *options, double defaul
                     out))
     return misuse("--phase-angles takes up to 64 numbers with commas between, from 0 to below 180 "
                   "deg, rising");
+  if (options->map_tolerance != NULL && !um_core_number_parse(options->map_tolerance, &tolerance))
+    return misuse("--tolerance takes a number [1]");
+  if (!(tolerance == 0.0 || (tolerance >= TOLERANCE_LEAST && tolerance <= 1.0)))
+    return misuse("--tolerance takes 0, which refines nothing, or 0.001 to 1");
+  out->grid.tolerance = tolerance;
   out->grid.step = step * UM_DEG;
   out->grid.phase_angle = out->phase_angle;
   out->grid.nplane = options->planes > 0 ? (size_t)options->planes : UM_APP_MAP_PLANES;

@@ -149,6 +149,11 @@ static const struct um_app_option table[] = {
      .default_value = TEXT(UM_APP_MAP_PLANES), .example = "--planes 12",
      .help = "In how many planes through the phase vector Sun and observer stand, over half a "
              "turn; pictures show the mean."},
+    {"map-tolerance", "tolerance", "SHARE", .takes = UM_APP_TEXT, AT(map_tolerance),
+     .default_value = TEXT(UM_APP_MAP_TOLERANCE), .example = "--tolerance 0.1",
+     .help =
+         "Cells of the map are refined until their middle, and a normal in them, is off by less "
+         "than this share of the larger of value and mean; 0: not at all."},
     {"coarse-step", "step", "DEG", .takes = UM_APP_TEXT, AT(step), .default_value = "3",
      .example = "--step 5", .help = "Of the map in latitude and longitude, a part of 90 deg."},
     {"own-phase-angles", "phase-angles", "DEG,...", .takes = UM_APP_TEXT, AT(phase_angles),

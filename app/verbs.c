@@ -159,11 +159,12 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra retrieve scenarios/envisat-graz-2016 measured.csv\n",
      .run = um_app_retrieve, .group = UM_APP_COMPARE},
     {"map", "SCENARIO [MEASURED]", "what the body reflects, by direction in its own axes",
-     .accepts = "out step phase-angles planes " CHANGES " " RESULTS,
+     .accepts = "out step phase-angles planes map-tolerance " CHANGES " " RESULTS,
      .about =
          "By the direction of the phase vector, which halves the angle between Sun and observer. "
          "map.csv and map.exr hold "
-         "the reflectivity [m^2/sr] of every band, pass.csv the pass looked up there and "
+         "the reflectivity [m^2/sr] of every band, refined.csv the nodes added where lobes are "
+         "narrow, error.csv how far looking up is off, pass.csv the pass looked up there and "
          "computed, measured.csv the measurements as reflectivity. Sunlight alone: no Earth, "
          "no heat.",
      .examples = "umbra map scenarios/flying-laptop --phase-angles 0\n"
@@ -171,13 +172,15 @@ static const struct um_app_verb verbs[] = {
      .run = um_app_map, .group = UM_APP_COMPARE},
     {"attitude", "SCENARIO MEASURED", "spins that agree with measured light, every solution",
      .accepts =
-         "out period axis-step solutions coarse-step own-phase-angles planes " CHANGES " force",
+         "out period axis-step solutions coarse-step own-phase-angles planes map-tolerance " CHANGES
+         " force",
      .about =
          "The scenario's law is one spin about an axis of the body; axis_gcrs or axis_lvlh with "
          "its sense, period_s and phase_deg are sought over all directions, by look-up on a "
          "reflectivity "
-         "map, and the best fitted by direct simulation. attitude.csv lists what agrees, with "
-         "how many sigma it stands apart from the best. Sunlight alone: bands that it rules.",
+         "map, and the best fitted with the whole model: sunlight, the Earth's light, light "
+         "between surfaces, air. attitude.csv lists what agrees, with how many sigma it stands "
+         "apart from the best. Bands that end by 2.5 um, where heat does not show.",
      .examples = "umbra attitude scenarios/envisat-graz-2016 measured.csv --period 210,216\n",
      .run = um_app_attitude, .group = UM_APP_COMPARE},
     {"report", "RESULTS...", "pages of results beside each other, in one page", .needs = "file",

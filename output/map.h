@@ -3,17 +3,25 @@
 #define UMBRA_OUTPUT_MAP_H
 
 #include "base/core/file.h"
+#include "model/products/map_error.h"
 #include "model/products/reflectivity_pass.h"
 
 /* What is written and drawn; everything borrowed. */
 struct um_output_map {
   const struct um_model *model;
   const struct um_model_map *map;
+  const struct um_model_map_error *error;
   const struct um_model_map_pass *pass; /* NULL: none */
   bool measured; /* measured.csv lies in the folder (evidence/inversion/on_map.h) */
 };
 
-/* map.csv: every node with the mean over its planes. */
+/* refined.csv: every node that was added to the grid, in its plane. error.csv: how far looking up
+ * is off. */
+enum um_status um_output_write_map_refined(struct um_context *context,
+                                           const struct um_output_map *of, FILE *file);
+enum um_status um_output_write_map_error(struct um_context *context, const struct um_output_map *of,
+                                         FILE *file);
+/* map.csv: every node of the grid with the mean over its planes. */
 enum um_status um_output_write_map(struct um_context *context, const struct um_output_map *of,
                                    FILE *file);
 /* pass.csv: the pass on the map, looked up and computed. */

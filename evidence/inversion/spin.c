@@ -11,6 +11,7 @@
 
 #define ROWS_LEAST 5 /* one more than parameters */
 #define LAWS_MAX   1e9
+#define REACH      100.0 /* times the best's chi-square without light between surfaces */
 
 double um_compare_spin_distance(const struct um_compare_spin_data *data,
                                 const struct um_compare_spin_law *a,
@@ -90,39 +91,36 @@ static enum um_status size_check(struct um_context *context, const struct um_com
                       laws, floor(rates), s->period_least, s->period_most, d->span, LAWS_MAX);
 }
 
-/* The frame of the axis at every observation, by the laws of orbit/. */
-static enum um_status fill_rows(struct um_context *context, const struct um_compare_on_map *on_map,
-                                bool lvlh, double middle, struct um_compare_spin_data *d)
+/* Rows that are used, in the frame of the axis. */
+static enum um_status fill_rows(struct um_context *context, struct um_compare_spin_data *d)
 {
-  enum um_status status = UM_OK;
-  struct um_orbit_attitude *frame = NULL;
-  struct um_orbit_attitude_law law = {.kind = lvlh ? UM_ATTITUDE_LVLH : UM_ATTITUDE_FIXED,
-                                      .from_tai = -INFINITY,
-                                      .q = {1.0, 0.0, 0.0, 0.0}};
-  UM_TRY(um_orbit_attitude_create(context, &law, 1, &frame));
+  enum um_status status;
+  const struct um_compare_on_map *on_map = d->on_map;
+  struct um_quat *frame = NULL;
+  UM_CHECK(um_core_allocate(context, on_map->plan->ntime, sizeof *frame, &frame));
+  UM_CHECK(um_compare_spin_frames(context, d->lvlh, on_map->sample, on_map->plan->ntime, frame));
   for (size_t i = 0; i < on_map->count; i++) {
     const struct um_compare_map_row *from = &on_map->row[i];
     const struct um_environment_sample *s = &on_map->sample[from->observation];
     if (!is_used(d->model, from)) continue;
-    struct um_orbit_attitude_input in = {s->t_tai, s->r, s->v, s->sun, s->to_observer, NULL};
-    struct um_compare_spin_row *row = &d->row[d->count];
-    UM_CHECK(um_orbit_attitude_at(context, frame, &in, &row->frame));
-    row->t = s->t_tai - middle;
-    row->sun = um_quat_apply(row->frame, s->sun);
-    row->observer = um_quat_apply(row->frame, s->to_observer);
-    row->band = from->band;
-    row->value = from->value;
-    row->sigma = from->sigma;
-    d->count++;
+    d->row[d->count++] = (struct um_compare_spin_row){
+        .t = s->t_tai - d->at_tai,
+        .sun = um_quat_apply(frame[from->observation], s->sun),
+        .observer = um_quat_apply(frame[from->observation], s->to_observer),
+        .band = from->band,
+        .value = from->value,
+        .sigma = from->sigma,
+        .on_map = i};
   }
 done:
-  um_orbit_attitude_destroy(&frame);
+  um_core_free(context, frame);
   return status;
 }
 
-static enum um_status data_make(struct um_context *context, const struct um_compare_on_map *on_map,
-                                struct um_compare_spins *spins, struct um_compare_spin_data *d)
+static enum um_status data_make(struct um_context *context, struct um_compare_spins *spins,
+                                struct um_compare_spin_data *d)
 {
+  const struct um_compare_on_map *on_map = d->on_map;
   const struct um_scenario_attitude *law = d->model->scenario->attitude.items;
   double first = INFINITY, last = -INFINITY;
   for (size_t i = 0; i < on_map->count; i++) {
@@ -137,7 +135,9 @@ static enum um_status data_make(struct um_context *context, const struct um_comp
   spins->at_tai = 1e-3 * round(1e3 * 0.5 * (first + last)); /* as texts have it */
   spins->lvlh = law->spin->axis_lvlh.count > 0;
   UM_TRY(um_core_allocate(context, on_map->count, sizeof *d->row, &d->row));
-  UM_TRY(fill_rows(context, on_map, spins->lvlh, spins->at_tai, d));
+  d->at_tai = spins->at_tai;
+  d->lvlh = spins->lvlh;
+  UM_TRY(fill_rows(context, d));
   spins->nobservation = d->count;
   return UM_OK;
 }
@@ -177,6 +177,33 @@ static void sort_out(const struct um_compare_spin_data *d, struct um_compare_spi
   for (size_t i = 0; i < n; i++) spins->spin[i].apart = sqrt((spins->spin[i].chi2 - best) / scale);
 }
 
+/* Fit every law without light between surfaces, then those that are in reach of the best with it:
+ * it costs as much as all else together many times, and no other can become the best. */
+static enum um_status fit_all(struct um_context *context, const struct um_compare_spin_data *d,
+                              const struct um_compare_spin_law *laws,
+                              struct um_compare_spins *spins)
+{
+  enum um_status status = UM_OK;
+  size_t n = spins->count;
+  bool has_between = um_compare_spin_has_between(d->model);
+  double best = INFINITY;
+  um_core_progress_begin(context, "fitting attitudes", has_between ? 2 * n : n);
+  for (size_t i = 0; i < (has_between ? 2 * n : n) && status == UM_OK; i++) {
+    struct um_compare_spin *own = &spins->spin[i % n];
+    bool between = i >= n;
+    struct um_compare_spin_law law = between ? law_of(own) : laws[i];
+    um_core_quiet_begin(context);
+    if (!between || own->chi2 <= REACH * best)
+      status = um_compare_spin_refine(context, d, &law, between, own);
+    um_core_quiet_end(context);
+    if (!between) best = fmin(best, own->chi2);
+    if (status == UM_OK) status = um_core_progress_step(context, 1);
+    if (status == UM_OK) status = um_core_stop_check(context, "attitudes were fitted");
+  }
+  um_core_progress_end(context);
+  return status;
+}
+
 enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,
                                      const struct um_compare_on_map *on_map,
                                      const struct um_model_map *map,
@@ -185,33 +212,27 @@ enum um_status um_compare_spins_find(struct um_context *context, const struct um
 {
   enum um_status status;
   struct um_compare_spins *spins = NULL;
-  struct um_compare_spin_data d = {.model = model, .map = map, .search = search};
+  struct um_compare_spin_data d = {.model = model, .on_map = on_map, .map = map, .search = search};
   struct um_compare_spin_law *laws = NULL;
   size_t n = 0;
   *out = NULL;
   UM_TRY(um_compare_spins_check(context, model, on_map, search));
   UM_CHECK(um_core_allocate(context, 1, sizeof *spins, &spins));
-  UM_CHECK(data_make(context, on_map, spins, &d));
+  UM_CHECK(data_make(context, spins, &d));
   UM_CHECK(size_check(context, &d));
+  UM_CHECK(um_compare_spin_light_create(context, &d, &d.light));
+  UM_CHECK(um_compare_spin_earth(context, &d));
   UM_CHECK(um_compare_spin_grid(context, &d, &laws, &n, &spins->nlaw));
   UM_CHECK(um_core_allocate(context, n, sizeof *spins->spin, &spins->spin));
-  um_core_progress_begin(context, "fitting attitudes", n);
-  for (size_t i = 0; i < n; i++) {
-    um_core_quiet_begin(context);
-    status = um_compare_spin_refine(context, &d, &laws[i], &spins->spin[i]);
-    um_core_quiet_end(context);
-    if (status == UM_OK) status = um_core_progress_step(context, 1);
-    if (status == UM_OK) status = um_core_stop_check(context, "attitudes were fitted");
-    if (status != UM_OK) break;
-  }
-  um_core_progress_end(context);
-  if (status != UM_OK) goto done;
   spins->count = n;
+  UM_CHECK(fit_all(context, &d, laws, spins));
   sort_out(&d, spins);
   *out = spins;
   spins = NULL;
 done:
   UM_FREE(context, d.row, laws);
+  um_compare_spin_light_destroy(context, &d.light);
+  um_model_map_destroy(context, &d.earth);
   um_compare_spins_destroy(context, &spins);
   return status;
 }

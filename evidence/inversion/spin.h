@@ -1,6 +1,6 @@
 /* Spins that agree with measured light: a search over axis, sense, rate and phase by looking up on
- * a reflectivity map, the best refined by direct simulation, all that cannot be told apart listed.
- */
+ * a reflectivity map and on one of the Earth's light, the best refined with the whole model, all
+ * that cannot be told apart listed. */
 #ifndef UMBRA_COMPARE_SPIN_H
 #define UMBRA_COMPARE_SPIN_H
 
@@ -19,7 +19,7 @@ struct um_compare_spin {
   double period;       /* [s]; negative: against the axis */
   double phase;        /* turn at the set's reference time, 0 to 2 pi [rad] */
   double misfit;       /* of the grid, per observation [1] */
-  double chi2;         /* of the direct simulation */
+  double chi2;         /* of the whole model */
   double axis_sigma, period_sigma, phase_sigma; /* [rad], [s], [rad]; NaN: not determined */
   double apart; /* from the best, sqrt(chi2 - chi2 of the best), over the best's reduced chi2 where
                    that is above 1 [sigma] */
@@ -35,11 +35,15 @@ struct um_compare_spins {
 };
 
 /* The scenario has one attitude law, a spin about axis_body without nutation, whose other keys are
- * what is sought; its attitude effects are not applied. Every row of on_map wants a sigma. The
- * light is that of the Sun alone, as on the map; rows of bands that reach beyond 2.5 um are left
- * out. The grid takes the map's own error as 0.3 of each value, so that a glint beside its place
- * weighs no more than a few faint rows; its local minima in phase at every axis and sense are
- * gathered into solutions apart by more than steps of the grid, and the best of these are fitted.
+ * what is sought; its attitude effects are not applied. Every row of on_map wants a sigma; rows of
+ * bands that reach beyond 2.5 um are left out. What is fitted and ranked is the whole model of a
+ * row: sunlight, the Earth's light, light between surfaces, air, exposure, effects on observations.
+ * Heat alone is not followed, which does not show in such bands. The grid looks up sunlight on the
+ * map and the Earth's light on a coarse grid of its own. It takes the map's own error as 0.3 of
+ * each value, so that a glint beside its place weighs no more than a few faint rows; its local
+ * minima in phase at every axis and sense are gathered into solutions apart by more than steps of
+ * the grid, and the best of these are fitted;
+ * with light between surfaces those that without it are within 100 times the best's chi-square.
  * UM_ERR_INPUT: another law, no sigma, a search that is none, more than 1e9 laws, fewer than five
  * rows. Others as um_model_reflectivity. The caller destroys. */
 enum um_status um_compare_spins_find(struct um_context *context, const struct um_model *model,

@@ -37,12 +37,8 @@ static void fill_ring(const struct grid *g, struct um_vec3 axis, double *looked_
   for (size_t k = 0; k < g->nturn; k++) {
     double turn = 2.0 * UM_PI * (double)k / (double)g->nturn;
     struct um_quat q = um_quat_then(base, um_quat_from_axis(d->axis_body, turn));
-    for (size_t i = 0; i < d->count; i++) {
-      struct um_model_phase_vector at = um_model_phase_vector(um_quat_apply(q, d->row[i].sun),
-                                                              um_quat_apply(q, d->row[i].observer));
-      um_model_map_look_up(d->map, &at, looked_up);
-      ring[i * g->nturn + k] = (float)looked_up[d->row[i].band];
-    }
+    for (size_t i = 0; i < d->count; i++)
+      ring[i * g->nturn + k] = (float)um_compare_spin_look_up(d, &d->row[i], q, looked_up);
   }
 }
 

@@ -1,5 +1,6 @@
 /* Fit of one spin: two tilts of the axis, rate and phase, by least squares; first on the map, whose
- * own error is added to sigma, then by direct simulation. */
+ * own error is added to sigma, then with the whole model, the light between surfaces, which costs
+ * most, last. */
 #include <math.h>
 
 #include "base/core/constants.h"
@@ -10,14 +11,16 @@
 #define MAP_ERROR  0.1             /* of what is looked up [1] */
 #define STEP       (0.25 * UM_DEG) /* of differences */
 
+/* What a law is held against. */
+enum stage { ON_MAP, ALONE, BETWEEN };
+
 /* What the model is asked with. */
 struct trial {
   const struct um_compare_spin_data *data;
   struct um_compare_spin_law start;
   struct um_vec3 across[2]; /* of the starting axis */
-  bool direct;
-  struct um_vec3 *sun, *observer; /* [count] body axes */
-  double *all, *error;            /* [count][nband] */
+  enum stage stage;
+  double *scratch; /* [nband] */
 };
 
 static struct um_compare_spin_law law_at(const struct trial *trial, const double *x)
@@ -34,19 +37,11 @@ static enum um_status evaluate(struct um_context *context, void *user, const dou
   struct trial *trial = user;
   const struct um_compare_spin_data *d = trial->data;
   struct um_compare_spin_law law = law_at(trial, x);
-  size_t nband = d->model->nband;
-  for (size_t i = 0; i < d->count; i++) {
-    struct um_quat q = um_compare_spin_attitude(d, &law, d->row[i].t);
-    trial->sun[i] = um_quat_apply(q, d->row[i].sun);
-    trial->observer[i] = um_quat_apply(q, d->row[i].observer);
-    if (trial->direct) continue;
-    struct um_model_phase_vector at = um_model_phase_vector(trial->sun[i], trial->observer[i]);
-    um_model_map_look_up(d->map, &at, trial->all + i * nband);
-  }
-  if (trial->direct)
-    UM_TRY(um_model_reflectivity(context, d->model, "fitting", trial->sun, trial->observer,
-                                 d->count, trial->all, trial->error));
-  for (size_t i = 0; i < d->count; i++) value[i] = trial->all[i * nband + d->row[i].band];
+  if (trial->stage != ON_MAP)
+    return um_compare_spin_light_of(context, d, &law, trial->stage == BETWEEN, value);
+  for (size_t i = 0; i < d->count; i++)
+    value[i] = um_compare_spin_look_up(
+        d, &d->row[i], um_compare_spin_attitude(d, &law, d->row[i].t), trial->scratch);
   return UM_OK;
 }
 
@@ -65,7 +60,8 @@ static enum um_status fit(struct um_context *context, struct trial *trial, const
     parameter[k] = (struct um_inference_fit_parameter){0.0, -most, most, 0.0, INFINITY, step[k]};
   }
   for (size_t i = 0; i < d->count; i++)
-    sigma[i] = trial->direct ? d->row[i].sigma : hypot(d->row[i].sigma, MAP_ERROR * measured[i]);
+    sigma[i] =
+        trial->stage == ON_MAP ? hypot(d->row[i].sigma, MAP_ERROR * measured[i]) : d->row[i].sigma;
   const struct um_inference_fit_problem problem = {.nobservation = d->count,
                                                    .nparameter = NPARAMETER,
                                                    .measured = measured,
@@ -93,7 +89,7 @@ static void keep(const struct um_inference_fit *f, const struct um_compare_spin_
 
 enum um_status um_compare_spin_refine(struct um_context *context,
                                       const struct um_compare_spin_data *d,
-                                      const struct um_compare_spin_law *start,
+                                      const struct um_compare_spin_law *start, bool between,
                                       struct um_compare_spin *out)
 {
   enum um_status status;
@@ -102,13 +98,10 @@ enum um_status um_compare_spin_refine(struct um_context *context,
   double *measured = NULL, *sigma = NULL;
   UM_CHECK(um_core_allocate(context, d->count, sizeof *measured, &measured));
   UM_CHECK(um_core_allocate(context, d->count, sizeof *sigma, &sigma));
-  UM_CHECK(um_core_allocate(context, d->count, sizeof *trial.sun, &trial.sun));
-  UM_CHECK(um_core_allocate(context, d->count, sizeof *trial.observer, &trial.observer));
-  UM_CHECK(um_core_allocate(context, d->count * d->model->nband, sizeof(double), &trial.all));
-  UM_CHECK(um_core_allocate(context, d->count * d->model->nband, sizeof(double), &trial.error));
+  UM_CHECK(um_core_allocate(context, d->model->nband, sizeof(double), &trial.scratch));
   for (size_t i = 0; i < d->count; i++) measured[i] = d->row[i].value;
-  for (int direct = 0; direct < 2; direct++) {
-    trial.direct = direct == 1;
+  enum stage last = between ? BETWEEN : ALONE;
+  for (trial.stage = between ? BETWEEN : ON_MAP; trial.stage <= last; trial.stage++) {
     UM_CHECK(fit(context, &trial, measured, sigma, &f));
     struct um_compare_spin_law law = law_at(&trial, f->x);
     keep(f, &law, out);
@@ -117,6 +110,6 @@ enum um_status um_compare_spin_refine(struct um_context *context,
   }
 done:
   um_inference_fit_destroy(context, &f);
-  UM_FREE(context, measured, sigma, trial.sun, trial.observer, trial.all, trial.error);
+  UM_FREE(context, measured, sigma, trial.scratch);
   return status;
 }

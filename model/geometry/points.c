@@ -1,6 +1,7 @@
 /* Observations without a track (orbit.points): every measurement says where the satellite is. */
 #include "model/geometry/points.h"
 #include "model/geometry/points_impl.h"
+#include "model/geometry/posed.h"
 
 #include <math.h>
 #include <string.h>
@@ -61,42 +62,15 @@ static enum um_status trace_points(struct um_context *context, const struct um_m
   UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->sunlit));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
-  UM_TRY(um_core_allocate(context, n, sizeof *tables->load_row, &tables->load_row));
   for (size_t k = 0; k < n; k++) {
     struct um_model_point point = points[k];
     point.t = um_model_true_time(model, point.t);
     UM_TRY(um_model_sample_point(context, model, &point, &tables->sample[k], &tables->look[k]));
     tables->t_obs[k] = points[k].t;
     tables->sunlit[k] = tables->sample[k].sunlit_fraction;
-    tables->load_row[k] = k;
   }
   tables->t_first = tables->t_start = tables->t_periodic_end = tables->sample[0].t_tai;
   return UM_OK;
-}
-
-/* One row for each point; rows want times that ascend, which points have not. */
-static enum um_status trace_loads(struct um_context *context, const struct um_model *model,
-                                  struct um_model_tables *tables)
-{
-  struct um_environment_sample *numbered = NULL;
-  UM_TRY(um_core_allocate(context, tables->nobs, sizeof *numbered, &numbered));
-  for (size_t k = 0; k < tables->nobs; k++) {
-    numbered[k] = tables->sample[k];
-    numbered[k].t_tai = tables->t_start + (double)k;
-  }
-  struct um_environment environment = model->environment;
-  environment.absorptance_by_angle = false; /* heat is not followed */
-  enum um_status status = UM_OK;
-  if (tables->body == NULL) status = um_model_body_tables_create(context, model, &tables->body);
-  struct um_irradiation_loads_options options = {.nsample = model->scenario->thermal->samples};
-  if (status == UM_OK) {
-    options.sky = tables->body->sky;
-    status = um_irradiation_loads_make(context, model->geometry, &environment, numbered,
-                                       tables->nobs, NULL, 0, &options, &tables->loads);
-  }
-  tables->seen = tables->loads;
-  um_core_free(context, numbered);
-  return status;
 }
 
 enum um_status um_model_points_plan(struct um_context *context, const struct um_model *model,
@@ -129,8 +103,7 @@ enum um_status um_model_precompute_points_with(struct um_context *context,
   *out = NULL;
   UM_CHECK(um_model_points_plan(context, model, instants, &tables));
   tables->body = um_model_body_tables_share(body);
-  UM_CHECK(trace_loads(context, model, tables));
-  UM_CHECK(um_model_precompute_view(context, model, instants->sampling, tables));
+  UM_CHECK(um_model_precompute_posed(context, model, instants->sampling, false, tables));
 done:
   status = um_model_blame_table(context, model, status);
   if (status != UM_OK) um_model_tables_destroy(context, &tables);

@@ -127,22 +127,36 @@ static enum um_status check_times(struct um_context *context, const double *time
   return UM_OK;
 }
 
-enum um_status um_model_hidden_at(struct um_context *context, const struct um_model *model,
-                                  const double *times, size_t count, bool **hidden)
+enum um_status um_model_precompute_observed(struct um_context *context,
+                                            const struct um_model *model, const double *times,
+                                            const double *exposures, size_t count,
+                                            struct um_model_tables **out)
 {
   enum um_status status;
   struct um_model_tables *tables = NULL;
-  *hidden = NULL;
+  *out = NULL;
   UM_CHECK(um_model_check_track(context, model));
   UM_CHECK(check_times(context, times, count));
   UM_CHECK(um_core_allocate(context, 1, sizeof *tables, &tables));
-  UM_CHECK(trace_observations(context, model, times, NULL, count, tables));
+  UM_CHECK(trace_observations(context, model, times, exposures, count, tables));
   UM_CHECK(um_model_tables_hide(context, model, tables));
-  *hidden = tables->hidden;
-  tables->hidden = NULL;
+  *out = tables;
+  tables = NULL;
 done:
   um_model_tables_destroy(context, &tables);
   return status;
+}
+
+enum um_status um_model_hidden_at(struct um_context *context, const struct um_model *model,
+                                  const double *times, size_t count, bool **hidden)
+{
+  struct um_model_tables *tables = NULL;
+  *hidden = NULL;
+  UM_TRY(um_model_precompute_observed(context, model, times, NULL, count, &tables));
+  *hidden = tables->hidden;
+  tables->hidden = NULL;
+  um_model_tables_destroy(context, &tables);
+  return UM_OK;
 }
 
 static enum um_status plan_at(struct um_context *context, const struct um_model *model,

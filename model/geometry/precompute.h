@@ -44,6 +44,13 @@ enum um_status um_model_precompute_at(struct um_context *context, const struct u
 enum um_status um_model_precompute_over(struct um_context *context, const struct um_model *model,
                                         const struct um_model_instants *instants,
                                         struct um_model_tables **out);
+/* Observations as um_model_precompute_over has them, of an orbit or of points: samples, what the
+ * observer sees, no loads and no lines of sight. Nothing is traced: the attitude of a sample may be
+ * changed before um_model_precompute_posed (posed.h). Errors of um_model_precompute_over; the
+ * caller destroys. */
+enum um_status um_model_precompute_unposed(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_instants *instants,
+                                           struct um_model_tables **out);
 /* The same as um_model_precompute_over, number for number, with what `like`, traced of `made`, has
  * of the body alone (body_tables.h), where that is valid for the model: times, orbit, attitude and
  * light may be others. `like` may be destroyed before or after. */

@@ -24,6 +24,13 @@ enum um_status um_model_precompute_plan(struct um_context *context, const struct
 void um_model_precompute_plan_clear(struct um_context *context,
                                     struct um_model_precompute_plan *plan);
 
+/* Observations of an orbit alone: what is seen when, from where; no loads, no lines of sight.
+ * Errors of um_model_precompute_at; the caller destroys. */
+enum um_status um_model_precompute_observed(struct um_context *context,
+                                            const struct um_model *model, const double *times,
+                                            const double *exposures, size_t count,
+                                            struct um_model_tables **out);
+
 /* Lines of sight of what stands in the geometry tables, and its sampling; none without an
  * observer. Errors of um_optics_view_trace. */
 enum um_status um_model_precompute_view(struct um_context *context, const struct um_model *model,

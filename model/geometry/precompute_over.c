@@ -39,6 +39,15 @@ enum um_status um_model_precompute_over(struct um_context *context, const struct
   return trace(context, model, instants, NULL, out);
 }
 
+enum um_status um_model_precompute_unposed(struct um_context *context, const struct um_model *model,
+                                           const struct um_model_instants *instants,
+                                           struct um_model_tables **out)
+{
+  if (instants->point != NULL) return um_model_points_plan(context, model, instants, out);
+  return um_model_precompute_observed(context, model, instants->time, instants->exposure,
+                                      instants->count, out);
+}
+
 enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,
                                         const struct um_model_tables *like,
                                         const struct um_model *model,

@@ -3,11 +3,11 @@
 #include "model/products/reflectivity.h"
 
 #include "base/core/constants.h"
+#include "model/run/run_light.h"
 
 #define BLOCK_BYTES 1e8 /* of lines of sight that are held at once */
 #define ROW_BYTES   64  /* of a surface at an instant: um_optics_view and the scene's arrays */
 #define BLOCK_LEAST 32
-#define COLD        3.0 /* of surfaces, which do not shine [K] */
 
 /* Everything of a block that does not depend on its directions. */
 struct block {
@@ -36,7 +36,7 @@ static enum um_status block_make(struct um_context *context, const struct um_mod
   UM_TRY(um_core_allocate(context, b->size, sizeof *b->sample, &b->sample));
   UM_TRY(um_core_allocate(context, b->size * nsurface, sizeof *b->temperature, &b->temperature));
   UM_TRY(um_core_allocate(context, b->size * nsurface, sizeof *b->nothing, &b->nothing));
-  for (size_t i = 0; i < b->size * nsurface; i++) b->temperature[i] = COLD;
+  for (size_t i = 0; i < b->size * nsurface; i++) b->temperature[i] = UM_MODEL_COLD;
   return UM_OK;
 }
 
@@ -64,6 +64,7 @@ static enum um_status render(struct um_context *context, const struct um_model *
                                 model->scenario->optics->samples,
                                 (uint64_t)model->scenario->optics->seed, &view));
   struct um_optics_scene scene = {.geometry = model->geometry,
+                                  .creases = model->creases,
                                   .environment = &b->dark,
                                   .samples = b->sample,
                                   .view = view,

@@ -5,6 +5,7 @@
 
 #include "base/core/constants.h"
 #include "base/core/interpolation.h"
+#include "model/products/map_cells_impl.h"
 #include "model/products/reflectivity.h"
 
 #define NODES_MAX 2e7
@@ -34,33 +35,54 @@ static enum um_status check(struct um_context *context, const struct um_model_ma
                       nodes, grid->nphase, grid->nplane, grid->step / UM_DEG, NODES_MAX);
 }
 
-static enum um_status allocate(struct um_context *context, const struct um_model *model,
-                               const struct um_model_map_grid *grid, struct um_model_map *map)
+enum um_status um_model_map_allocate(struct um_context *context,
+                                     const struct um_model_map_grid *grid, double turn,
+                                     size_t nband, struct um_model_map **out)
 {
+  enum um_status status;
   size_t rows = (size_t)lround(0.5 * UM_PI / grid->step);
-  map->step = 0.5 * UM_PI / (double)rows;
-  map->nlatitude = 2 * rows + 1;
-  map->nlongitude = 4 * rows;
-  map->nphase = grid->nphase;
-  map->nband = model->nband;
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->phase_angle, &map->phase_angle));
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->nplane, &map->nplane));
-  UM_TRY(um_core_allocate(context, map->nphase, sizeof *map->first, &map->first));
+  struct um_model_map *map = NULL;
+  *out = NULL;
+  UM_CHECK(um_core_allocate(context, 1, sizeof *map, &map));
+  *map = (struct um_model_map){.step = 0.5 * UM_PI / (double)rows,
+                               .turn = turn,
+                               .nlatitude = 2 * rows + 1,
+                               .nlongitude = 4 * rows,
+                               .nphase = grid->nphase,
+                               .nband = nband,
+                               .tolerance = grid->tolerance};
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->phase_angle, &map->phase_angle));
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->nplane, &map->nplane));
+  UM_CHECK(um_core_allocate(context, map->nphase, sizeof *map->first, &map->first));
   for (size_t i = 0; i < map->nphase; i++) {
     map->phase_angle[i] = grid->phase_angle[i];
     map->nplane[i] = grid->phase_angle[i] > 0.0 ? grid->nplane : 1;
     map->first[i] = map->planes;
     map->planes += map->nplane[i];
   }
-  size_t n = map->planes * map->nlatitude * map->nlongitude * map->nband;
-  UM_TRY(um_core_allocate(context, n, sizeof *map->value, &map->value));
-  return um_core_allocate(context, n, sizeof *map->error, &map->error);
+  map->nnode = map->planes * map->nlatitude * map->nlongitude;
+  size_t n = map->nnode * map->nband;
+  UM_CHECK(um_core_allocate(context, n, sizeof *map->value, &map->value));
+  UM_CHECK(um_core_allocate(context, n, sizeof *map->error, &map->error));
+  *out = map;
+  map = NULL;
+done:
+  um_model_map_destroy(context, &map);
+  return status;
 }
 
 static size_t node_at(const struct um_model_map *map, size_t plane, size_t latitude,
                       size_t longitude)
 {
   return ((plane * map->nlatitude + latitude) * map->nlongitude + longitude) * map->nband;
+}
+
+struct um_model_phase_vector um_model_map_place(const struct um_model_map *map, size_t phase,
+                                                size_t plane, size_t latitude, size_t longitude)
+{
+  return (struct um_model_phase_vector){
+      -0.5 * UM_PI + (double)latitude * map->step, -UM_PI + (double)longitude * map->step,
+      map->phase_angle[phase], map->turn * (double)plane / (double)map->nplane[phase]};
 }
 
 /* Directions of every node, in the order of `value`. */
@@ -72,9 +94,7 @@ static void directions(const struct um_model_map *map, struct um_vec3 *sun,
     for (size_t k = 0; k < map->nplane[g]; k++)
       for (size_t i = 0; i < map->nlatitude; i++)
         for (size_t j = 0; j < map->nlongitude; j++, n++) {
-          struct um_model_phase_vector at = {-0.5 * UM_PI + (double)i * map->step,
-                                             -UM_PI + (double)j * map->step, map->phase_angle[g],
-                                             UM_PI * (double)k / (double)map->nplane[g]};
+          struct um_model_phase_vector at = um_model_map_place(map, g, k, i, j);
           um_model_phase_directions(&at, &sun[n], &observer[n]);
         }
 }
@@ -87,14 +107,14 @@ enum um_status um_model_map_create(struct um_context *context, const struct um_m
   struct um_vec3 *sun = NULL, *observer = NULL;
   *out = NULL;
   UM_TRY(check(context, grid));
-  UM_CHECK(um_core_allocate(context, 1, sizeof *map, &map));
-  UM_CHECK(allocate(context, model, grid, map));
-  size_t n = map->planes * map->nlatitude * map->nlongitude;
+  UM_CHECK(um_model_map_allocate(context, grid, UM_PI, model->nband, &map));
+  size_t n = map->nnode;
   UM_CHECK(um_core_allocate(context, n, sizeof *sun, &sun));
   UM_CHECK(um_core_allocate(context, n, sizeof *observer, &observer));
   directions(map, sun, observer);
   UM_CHECK(um_model_reflectivity(context, model, "mapping reflectivity", sun, observer, n,
                                  map->value, map->error));
+  if (grid->tolerance > 0.0) UM_CHECK(um_model_map_refine(context, model, map));
   *out = map;
   map = NULL;
 done:
@@ -107,7 +127,7 @@ void um_model_map_destroy(struct um_context *context, struct um_model_map **map)
 {
   if (map == NULL || *map == NULL) return;
   UM_FREE(context, (*map)->phase_angle, (*map)->nplane, (*map)->first, (*map)->value, (*map)->error,
-          *map);
+          (*map)->added, (*map)->cell, (*map)->floor, *map);
   *map = NULL;
 }
 
@@ -137,7 +157,7 @@ static void add_node(const struct um_model_map *map, size_t phase, size_t i, siz
                      double weight, double *out)
 {
   size_t n = map->nplane[phase], low;
-  double turn = plane / UM_PI, share;
+  double turn = plane / map->turn, share;
   turn = (turn - floor(turn)) * (double)n;
   low = (size_t)turn;
   share = turn - (double)low;
@@ -145,6 +165,27 @@ static void add_node(const struct um_model_map *map, size_t phase, size_t i, siz
   const double *a = map->value + node_at(map, map->first[phase] + low, i, j);
   const double *b = map->value + node_at(map, map->first[phase] + (low + 1) % n, i, j);
   for (size_t k = 0; k < map->nband; k++) out[k] += weight * ((1.0 - share) * a[k] + share * b[k]);
+}
+
+/* A cell that a refined map has, in the two planes about a place; true: it was added. Within it the
+ * plane counts from the place's own meridian: refined cells are small. */
+static bool add_refined(const struct um_model_map *map, size_t phase, size_t i, size_t j,
+                        const struct um_model_phase_vector *at, const double f[2], double weight,
+                        double *out)
+{
+  size_t n = map->nplane[phase], low;
+  double turn = at->plane / map->turn;
+  if (map->cell == NULL) return false;
+  turn = (turn - floor(turn)) * (double)n;
+  low = (size_t)turn % n;
+  double share = turn - floor(turn);
+  const struct um_model_map_cell *a = um_model_map_cell_of(map, map->first[phase] + low, i, j);
+  const struct um_model_map_cell *b =
+      um_model_map_cell_of(map, map->first[phase] + (low + 1) % n, i, j);
+  if (a->half == 0 && b->half == 0 && !a->logarithmic && !b->logarithmic) return false;
+  um_model_map_cell_add(map, phase, a, f, weight * (1.0 - share), out);
+  um_model_map_cell_add(map, phase, b, f, weight * share, out);
+  return true;
 }
 
 /* The four nodes about a place, at one phase angle. */
@@ -155,6 +196,7 @@ static void add_phase(const struct um_model_map *map, size_t phase,
   size_t i = (size_t)fmin(fmax(floor(y), 0.0), (double)map->nlatitude - 2.0);
   double fy = fmin(fmax(y - (double)i, 0.0), 1.0), column = floor(x), fx = x - column;
   size_t j = (size_t)(column + 4.0 * (double)map->nlongitude) % map->nlongitude;
+  if (add_refined(map, phase, i, j, at, (const double[2]){fy, fx}, weight, out)) return;
   for (size_t d = 0; d < 4; d++) {
     size_t north = d / 2, east = d % 2;
     double w = weight * (north ? fy : 1.0 - fy) * (east ? fx : 1.0 - fx);

@@ -3,34 +3,25 @@
 #define UMBRA_MODEL_REFLECTIVITY_MAP_H
 
 #include "model/build/model.h"
+#include "model/products/map_nodes.h"
 #include "model/products/phase_vector.h"
 
-/* What is to be mapped. */
-struct um_model_map_grid {
-  double step;               /* of latitude and longitude, a part of 90 deg [rad] */
-  const double *phase_angle; /* [nphase] 0 to below pi, ascending [rad] */
-  size_t nphase;
-  size_t nplane; /* planes of Sun and observer about p, over half a turn; at gamma 0 one serves */
-};
-
-/* Nodes: latitude i at -pi/2 + i step, both poles; longitude j at -pi + j step, all round; plane k
- * at k pi / nplane: exchanging Sun and observer turns it by pi and changes nothing, the
- * reflectance being reciprocal. */
-struct um_model_map {
-  double step; /* [rad] */
-  size_t nlatitude, nlongitude, nphase, nband;
-  double *phase_angle; /* [nphase] [rad] */
-  size_t *nplane;      /* [nphase] */
-  size_t *first;       /* [nphase] plane of that phase angle among all */
-  size_t planes;       /* of all phase angles together */
-  double *value;       /* [planes][nlatitude][nlongitude][nband] reflectivity [m^2/sr] */
-  double *error;       /* the same shape: standard error [m^2/sr] */
-};
-
-/* UM_ERR_INPUT: a grid that is none, or above 2e7 nodes (the message says of what). Others as
- * um_model_reflectivity. The caller destroys. */
+/* Where the middle of a cell, or the normal of a flat surface in it, is off by more than
+ * tolerance x max(value, mean of the phase angle), by interpolation of the value and of its
+ * logarithm alike, the cell is halved across its longer side, until it is 0.1 deg small or the map
+ * has four times the nodes of its grid. UM_ERR_INPUT: a grid that is none, or above 2e7 nodes (the
+ * message says of what). Others as um_model_reflectivity. The caller destroys. Tests:
+ * tests/model/products/map_refine.c. */
 enum um_status um_model_map_create(struct um_context *context, const struct um_model *model,
                                    const struct um_model_map_grid *grid, struct um_model_map **out);
+/* A grid without values, for what else lies on the directions of a body: planes share `turn`, and
+ * phase_angle is then any ascending coordinate above 0. UM_ERR_MEMORY. The caller destroys. */
+enum um_status um_model_map_allocate(struct um_context *context,
+                                     const struct um_model_map_grid *grid, double turn,
+                                     size_t nband, struct um_model_map **out);
+/* The place of a node. */
+struct um_model_phase_vector um_model_map_place(const struct um_model_map *map, size_t phase,
+                                                size_t plane, size_t latitude, size_t longitude);
 void um_model_map_destroy(struct um_context *context, struct um_model_map **map);
 
 /* A node over its planes: mean, spread (standard deviation over the planes) and the standard error
@@ -41,9 +32,10 @@ struct um_model_map_node {
 struct um_model_map_node um_model_map_node(const struct um_model_map *map, size_t phase,
                                            size_t latitude, size_t longitude, size_t band);
 
-/* Reflectivity at a place by interpolation [m^2/sr]: linear in latitude and longitude, in the
- * plane, and in the phase angle; beyond the largest and before the smallest phase angle of the map
- * that of these. out[nband]. NaN for a place that is none (Sun and observer opposite). */
+/* Reflectivity at a place by interpolation [m^2/sr]: linear in latitude and longitude (within
+ * refined cells as each says), in the plane, and in the phase angle; beyond the largest and before
+ * the smallest phase angle of the map that of these. out[nband]. NaN for a place that is none (Sun
+ * and observer opposite). */
 void um_model_map_look_up(const struct um_model_map *map, const struct um_model_phase_vector *at,
                           double *out);
 

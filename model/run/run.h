@@ -40,6 +40,12 @@ enum um_status um_model_run_behind(struct um_context *context, const struct um_m
                                    const struct um_model_thermal_solution *heat,
                                    const struct um_optics_lightcurve *light,
                                    struct um_model_result **out);
+/* The light of um_model_run_cold_light through air and instrument: the result has neither
+ * temperatures nor heat, and its numbers of bands beyond 2.5 um mean nothing. Errors of
+ * um_model_run_observed. Test: model/run/cold. */
+enum um_status um_model_run_cold(struct um_context *context, const struct um_model *model,
+                                 const struct um_model_tables *tables,
+                                 struct um_model_result **out);
 /* Temperatures of places alone: the result has no light and no heat. */
 enum um_status um_model_run_places(struct um_context *context, const struct um_model *model,
                                    const struct um_model_tables *tables,

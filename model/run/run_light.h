@@ -13,4 +13,15 @@ enum um_status um_model_run_light(struct um_context *context, const struct um_mo
                                   const struct um_model_thermal_solution *heat,
                                   struct um_optics_lightcurve **out);
 
+/* Temperature of all surfaces where heat is not followed and must not show [K]. */
+#define UM_MODEL_COLD 3.0
+
+/* Light of instants that stand alone (model/geometry/posed.h), of a body that is cold throughout:
+ * sunlight, the Earth's light, light between surfaces where the model has it, moonlight; what
+ * bodies emit and what the Earth heats is for bands below 2.5 um no part of what is seen. Errors as
+ * above. The caller destroys. */
+enum um_status um_model_run_cold_light(struct um_context *context, const struct um_model *model,
+                                       const struct um_model_tables *tables,
+                                       struct um_optics_lightcurve **out);
+
 #endif

@@ -90,6 +90,7 @@ static const struct misuse {
     {{"map", "a", "--phase-angles", "30,10"}, "rising", "usage: umbra map"},
     {{"map", "a", "--phase-angles", "180"}, "below 180 deg", "usage: umbra map"},
     {{"map", "a", "--planes", "0"}, "'0'", "usage: umbra map"},
+    {{"map", "a", "--tolerance", "2"}, "--tolerance takes 0", "usage: umbra map"},
     {{"attitude", "a"}, "MEASURED is missing", "usage: umbra attitude SCENARIO MEASURED"},
     {{"attitude", "a", "b", "--period", "5,3"}, "--period takes", "usage: umbra attitude"},
     {{"attitude", "a", "b", "--axis-step", "0"}, "--axis-step takes", "usage: umbra attitude"},

@@ -30,7 +30,7 @@ struct tracer {
   struct um_quat *attitude;                 /* [BATCH][spin->n] scratch */
   int nsample;
   size_t njoint;
-  bool moves;
+  bool moves, earth_alone;
   bool earth;                                   /* there is something of it to be traced */
   const struct um_irradiation_sky *sky;         /* where nothing moves, with earth */
   struct um_irradiation_sky *own_sky;           /* it, if it was not given */
@@ -69,6 +69,7 @@ static void find_bright(struct tracer *t)
 {
   const struct um_irradiation_loads *l = t->loads;
   double last = -INFINITY, next = INFINITY;
+  if (t->earth_alone) return;
   for (size_t k = 0; k < l->ntime; k++) {
     if (l->sunlit[k] > 0.0) last = l->t[k];
     t->bright[k] = l->t[k] - last <= DARK_MARGIN || (k > 0 && l->sunlit[k - 1] > 0.0);
@@ -389,6 +390,7 @@ enum um_status um_irradiation_loads_make(struct um_context *context,
                      .nsample = options->nsample,
                      .njoint = um_geometry_joint_count(geometry),
                      .moves = um_geometry_joint_moves(geometry),
+                     .earth_alone = options->earth_alone,
                      .earth = um_irradiation_earth_shines(environment)};
   UM_TRY(um_irradiation_loads_create(context, ntime, t.mesh->nsurface, nedge, &t.loads));
   um_core_progress_begin(context, "orbital loads", ntime);

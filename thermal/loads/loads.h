@@ -62,6 +62,7 @@ struct um_irradiation_loads_options {
   /* of a geometry that equals the table's: the same bits as without; NULL: it is made */
   const struct um_irradiation_sky *sky;
   const struct um_irradiation_spin *spin; /* NULL: attitudes are those of the samples */
+  bool earth_alone; /* `sun` and `incidence` are left 0: who asks for light follows no heat */
 };
 /* Loads of the same meaning; with a turn each is the mean over the turn that ends at its sample,
  * position, Sun and Earth as they are there,

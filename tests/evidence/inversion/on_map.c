@@ -71,7 +71,7 @@ static void model_read_back(void **state)
   assert_ok(um_compare_on_map_create(context, model, m, &on_map));
   assert_int_equal(on_map->count, 20);
   assert_int_equal(on_map->dark, 5);
-  struct um_model_map_grid grid = {0.5 * UM_PI, &phase, 1, 1};
+  struct um_model_map_grid grid = {0.5 * UM_PI, &phase, 1, 1, 0.0};
   assert_ok(um_model_map_create(context, model, &grid, &map));
   assert_ok(um_model_map_pass_of(context, model, map, on_map->sample, on_map->plan->time,
                                  on_map->plan->ntime, &pass));

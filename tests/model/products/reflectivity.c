@@ -15,7 +15,7 @@ static struct um_model_map *map_of(const struct um_model *model, double step, co
   double phase[8];
   struct um_model_map *map = NULL;
   for (size_t i = 0; i < nphase; i++) phase[i] = degrees[i] * UM_DEG;
-  struct um_model_map_grid grid = {step * UM_DEG, phase, nphase, nplane};
+  struct um_model_map_grid grid = {step * UM_DEG, phase, nphase, nplane, 0.0};
   if (um_model_map_create(context, model, &grid, &map) != UM_OK)
     fail_msg("%s", um_core_message(context));
   return map;
@@ -264,10 +264,10 @@ static void refused(void **state)
   static const struct {
     struct um_model_map_grid grid;
     const char *words;
-  } bad[] = {{{0.3, falling, 1, 1}, "accepted: 90 deg or a part of it"},
-             {{0.25 * UM_PI, falling, 0, 1}, "accepted: one of each or more"},
-             {{0.25 * UM_PI, falling, 2, 1}, "accepted: from 0 to below 180, ascending"},
-             {{UM_PI / 36000.0, falling, 1, 1}, "accepted: up to 2e+07"}};
+  } bad[] = {{{0.3, falling, 1, 1, 0.0}, "accepted: 90 deg or a part of it"},
+             {{0.25 * UM_PI, falling, 0, 1, 0.0}, "accepted: one of each or more"},
+             {{0.25 * UM_PI, falling, 2, 1, 0.0}, "accepted: from 0 to below 180, ascending"},
+             {{UM_PI / 36000.0, falling, 1, 1, 0.0}, "accepted: up to 2e+07"}};
   struct um_model *model = map_model(context, BOX, NULL);
   for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
     struct um_model_map *map = NULL;
