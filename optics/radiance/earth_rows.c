@@ -26,8 +26,9 @@ enum um_status um_optics_earth_ratios_create(struct um_context *context,
 #pragma omp parallel for schedule(dynamic) num_threads(um_core_context_threads(context))
   for (size_t b = 0; b < n; b++)
     for (int i = 0; i < UM_EARTH_TEMPERATURES * UM_EARTH_SEEN_RINGS; i++) {
-      double temperature = UM_EARTH_COLDEST + UM_EARTH_STEP * (i / UM_EARTH_SEEN_RINGS);
-      double w = um_environment_earth_seen_cosine(i % UM_EARTH_SEEN_RINGS);
+      int step = i / UM_EARTH_SEEN_RINGS, ring = i % UM_EARTH_SEEN_RINGS;
+      double temperature = UM_EARTH_COLDEST + UM_EARTH_STEP * step;
+      double w = um_environment_earth_seen_cosine(ring);
       bool glows = s->to[b] > GLOWS;
       size_t at = (size_t)i * n + b;
       s->clear[at] =
