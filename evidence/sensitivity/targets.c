@@ -138,7 +138,9 @@ static enum um_status leaves_environment(struct um_context *context, const struc
   double value[UM_EFFECT_PARAMETERS_MAX] = {0};
   rest.environment = NULL;
   *out = false;
-  if (effect->hooks.environment == NULL || memcmp(&rest, &none, sizeof rest) != 0) return UM_OK;
+  if (effect->on_by_default || effect->hooks.environment == NULL ||
+      memcmp(&rest, &none, sizeof rest) != 0)
+    return UM_OK;
   for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
   const struct um_effect_use use = {.effect = effect, .value = value};
   memcpy(&changed, &model->environment, sizeof changed);

@@ -65,7 +65,7 @@ static void test_json(void **state)
       {{"run", "box.yaml", "--out", "out", "--no-plots", "--json"},
        "\"magnitude_system\": \"AB\", \"brightest_mag\": "},
       {{"map", "box.yaml", "--no-plots", "--step", "30", "--json"},
-       "\"phase_angles_deg\": [0],\n  \"bands\": ["},
+       "\"phase_angles_deg\": [0], \"nodes\": "},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
       {{"export", "box.yaml", "--as", "mesh", "-o", "box.obj", "--json"}, "\"facets\": 12,"},
       {{"export", "box.yaml", "--as", "trajectory", "-o", "t", "--json"}, "\"step_s\": 5"},

@@ -1,6 +1,6 @@
 /* scenarios/envisat-graz-2016: with the array at 65 deg both statements of the published study
  * about the LWIR curve are contradicted, at -35 deg, which the scenario has, both hold. Figures are
- * those of the README's table, which come from search.py with the same keys; tolerances are half of
+ * those of the README for the Earth of September; tolerances are half of
  * their last digit, and 0.001 for another order of sums. */
 #include <string.h>
 
@@ -60,9 +60,9 @@ static void both_statements(void **state)
                 "%.1f, the rest by %.1f W/sr\n",
                 before.share, before.ratio, turned.share, turned.ratio, turned.array, turned.rest);
   support_close("share at 65 deg", before.share, 0.43, 0.006);
-  support_close("last over before at 65 deg", before.ratio, 1.79, 0.006);
+  support_close("last over before at 65 deg", before.ratio, 1.70, 0.006);
   support_close("share at -35 deg", turned.share, 0.52, 0.006);
-  support_close("last over before at -35 deg", turned.ratio, 0.89, 0.006);
+  support_close("last over before at -35 deg", turned.ratio, 0.85, 0.006);
   assert_true(turned.array > fabs(turned.rest));
 }
 
