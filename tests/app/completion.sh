@@ -46,7 +46,7 @@ expect "--without|" umbra run --witho
 expect "--temperature-sigma|--temperatures|" umbra synth --temp
 expect "--json|" umbra list keys --j
 expect "albedo|albedo_level|" umbra run x --with alb
-expect "panel_extraction|" umbra list effects pan
+expect "panel_extraction|" umbra list effects panel_e
 expect "roughness|" umbra fit s m --add rough
 expect "minislr|" umbra list sensors mi
 expect "johnson_b|johnson_u|johnson_v|" umbra list filters john
