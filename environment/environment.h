@@ -164,7 +164,8 @@ struct um_environment_earth_flux {
  * cap; test: environment/earth. About 0.4 us a plate. What differs from place to place is summed
  * over 512 cells of the cap: 1e-3 of the difference for smooth fields; test:
  * environment/earth_varied. The brightness temperature is that of the mean radiance at 10 um over
- * what the plate sees. out[n]. */
+ * what the plate sees; of an Earth that is spectral with its limb (um_environment_earth_limb), and
+ * its infrared with um_environment_earth_anisotropy. out[n]. */
 void um_environment_earth_flux(const struct um_environment *environment,
                                const struct um_environment_globe *globe, struct um_vec3 r,
                                struct um_vec3 sun, double distance, const struct um_vec3 *normals,

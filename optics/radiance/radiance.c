@@ -166,7 +166,6 @@ void um_optics_light(const struct um_optics_spectra *spectra, const struct um_op
 {
   const struct um_environment_sample *sample = &scene->samples[instant->time];
   memset(work->specular_known, 0, spectra->nskin * sizeof *work->specular_known);
-  um_optics_earth_rows(spectra, instant, work);
   if (instant->lamp.name == UM_LAMP_MOON) {
     struct um_environment_moonlight moon;
     um_environment_moonlight(scene->environment, sample, &moon);
@@ -175,6 +174,7 @@ void um_optics_light(const struct um_optics_spectra *spectra, const struct um_op
           spectra->sun[b] * um_environment_moonlight_at(&moon, spectra->wavelength[b]);
     return;
   }
+  um_optics_earth_rows(spectra, instant, work);
   struct um_optics_sunlight light;
   um_optics_sunlight_at(scene->environment, sample, &light);
   for (size_t b = 0; b < spectra->nbin; b++)

@@ -200,6 +200,28 @@ static void test_interiors(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* An effect whose hook leaves the environment as it is has nothing to act on: cloud in the mirror
+ * of an Earth that is the same everywhere. A switch that is off stays a candidate. */
+static void test_environment(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"cloud_in_mirror", "albedo_level", "earth_map"};
+  static const char *const knocke[] = {"environment.earth=knocke"};
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  for (int varied = 0; varied < 2; varied++) {
+    const struct um_model_options options = {.overrides = knocke, .noverride = (size_t)varied};
+    struct um_sensitivity_forward *f = forward_of(&options, m);
+    struct um_sensitivity_candidates *list = candidates_of(f, only, 3);
+    assert_int_equal(list->count, 2);
+    named(list, "albedo_level");
+    named(list, varied ? "cloud_in_mirror" : "earth_map");
+    um_sensitivity_candidates_destroy(context, &list);
+    um_sensitivity_forward_destroy(context, &f);
+  }
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* A parameter at its upper bound is moved down; three angles are one candidate of three columns;
  * anew on a model that has something added, a signature stands at that model. */
 static void test_steps(void **state)
@@ -390,6 +412,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_list, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_interiors, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_environment, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_linear, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_central, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_steps, model_set_up, model_tear_down),
