@@ -8,6 +8,7 @@
 #include "app/run_pictures.h"
 #include "app/space_error.h"
 #include "app/terminal.h"
+#include "base/core/constants.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
 #include "model/run/run.h"
@@ -135,17 +136,37 @@ static enum um_status summarise(struct um_context *context, const struct um_outp
   return UM_OK;
 }
 
+/* What finer facets would change, by the run's own temperatures. */
+static void tell_mesh(struct um_context *context, const struct um_model *model,
+                      const struct um_model_mesh_error *mesh)
+{
+  char light[160] = "", place[160] = "no place";
+  for (size_t b = mesh->nband; b-- > 0;) {
+    if (model->band[b].from < UM_INFRARED_FROM) continue;
+    snprintf(light, sizeof light, "; %.32s by about %+.2g %% at most, %+.2g %% in the mean",
+             model->band[b].name, 100.0 * mesh->light[b], 100.0 * mesh->light_mean[b]);
+    break;
+  }
+  if (mesh->temperature != 0.0) {
+    const struct um_geometry_group *group = um_geometry_group(model->geometry, mesh->group);
+    snprintf(place, sizeof place, "%.60s.%.60s%s",
+             um_geometry_part_name(model->geometry, group->part), group->name,
+             mesh->back ? ".back" : "");
+  }
+  um_core_log(context, UM_LOG_INFO,
+              "mesh: finer facets would move temperatures of places by about %+.2g K at most (%s), "
+              "%.2g K in the mean%s",
+              -mesh->temperature, place, mesh->temperature_mean, light);
+}
+
 /* What the error in space is, or how to know it. */
 static enum um_status estimate(struct um_context *context, const struct um_model *model,
                                const struct um_model_result *result)
 {
   struct um_app_space_error e;
   char light[160] = "";
-  if (!model->scenario->thermal->error_estimate) {
-    um_core_log(context, UM_LOG_INFO,
-                "error in space: not estimated; thermal.error_estimate: true computes it");
-    return UM_OK;
-  }
+  tell_mesh(context, model, &result->mesh);
+  if (!model->scenario->thermal->error_estimate) return UM_OK;
   UM_TRY(um_app_space_error(context, model, result, &e));
   if (e.band != NULL)
     snprintf(light, sizeof light, "; %.32s by %.2g %% at most, %.2g %% in the mean", e.band,

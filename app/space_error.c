@@ -35,7 +35,8 @@ static enum um_status halve_one(struct um_context *context, const char *part, co
   return UM_OK;
 }
 
-/* Keys that halve the sizes of every part. set[SETS_PER_PART * npart]; the caller frees the keys.
+/* Keys that halve the sizes of every part; of facets only where none is cut beyond its size.
+ * set[SETS_PER_PART * npart]; the caller frees the keys.
  */
 static enum um_status halve(struct um_context *context, const struct um_model *model,
                             struct um_document_change *set, size_t *nset)
@@ -49,8 +50,9 @@ static enum um_status halve(struct um_context *context, const struct um_model *m
   UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &pose));
   for (size_t p = 0; p < model->scenario->parts.count; p++) {
     double edge = longest_edge(um_geometry_mesh(model->geometry), pose->vertex, p);
-    UM_CHECK(halve_one(context, part[p].name, "facet_size_m", 0.5 * edge * (1.0 + 1e-9), set,
-                       nset)); /* a half is not cut once more */
+    if (model->halvings == NULL)
+      UM_CHECK(halve_one(context, part[p].name, "facet_size_m", 0.5 * edge * (1.0 + 1e-9), set,
+                         nset)); /* a half is not cut once more */
     if (part[p].solid != NULL && part[p].solid->tetrahedron_size_m > 0.0)
       UM_CHECK(halve_one(context, part[p].name, "solid.tetrahedron_size_m",
                          0.5 * part[p].solid->tetrahedron_size_m, set, nset));
@@ -62,6 +64,40 @@ done:
   um_core_free(context, angles);
   um_geometry_pose_destroy(context, &pose);
   return status;
+}
+
+/* The scenario's halvings, and one more round of all facets. out: [parts], freed by rounds_free,
+ * after a failure too. */
+static enum um_status one_more(struct um_context *context, const struct um_model *model,
+                               struct um_geometry_halvings *out)
+{
+  const struct um_geometry_mesh *mesh = um_geometry_mesh(model->geometry);
+  for (size_t p = 0; p < model->scenario->parts.count; p++) {
+    const struct um_geometry_halvings *from = &model->halvings[p];
+    struct um_geometry_halving *round = NULL;
+    uint32_t *facet = NULL;
+    size_t n = 0;
+    for (size_t f = 0; f < mesh->nfacet; f++) n += mesh->facet_part[f] == p ? 1 : 0;
+    UM_TRY(um_core_allocate(context, from->nround + 1, sizeof *round, &round));
+    out[p] = (struct um_geometry_halvings){round, from->nround};
+    for (size_t i = 0; i < from->nround; i++) round[i] = from->round[i];
+    UM_TRY(um_core_allocate(context, n, sizeof *facet, &facet));
+    for (uint32_t f = 0; f < n; f++) facet[f] = f;
+    round[out[p].nround++] = (struct um_geometry_halving){n, facet, n};
+  }
+  return UM_OK;
+}
+
+static void rounds_free(struct um_context *context, const struct um_model *model,
+                        struct um_geometry_halvings *rounds)
+{
+  for (size_t p = 0; rounds != NULL && p < model->scenario->parts.count; p++) {
+    size_t own = model->halvings[p].nround;
+    if (rounds[p].nround > own)
+      um_core_free(context, (void *)(uintptr_t)rounds[p].round[own].facet);
+    um_core_free(context, (void *)(uintptr_t)rounds[p].round);
+  }
+  um_core_free(context, rounds);
 }
 
 /* Largest and mean change over the run of the mean temperature of places that both have [K]. */
@@ -110,10 +146,15 @@ enum um_status um_app_space_error(struct um_context *context, const struct um_mo
   struct um_model *finer = NULL;
   struct um_model_tables *tables = NULL;
   struct um_model_result *other = NULL;
+  struct um_geometry_halvings *rounds = NULL;
   *out = (struct um_app_space_error){.place = "none"};
   UM_CHECK(um_core_allocate(context, room, sizeof *set, &set));
   UM_CHECK(halve(context, model, set, &nset));
-  const struct um_model_changes changes = {.key = set, .nkey = nset};
+  if (model->halvings != NULL) {
+    UM_CHECK(um_core_allocate(context, model->scenario->parts.count, sizeof *rounds, &rounds));
+    UM_CHECK(one_more(context, model, rounds));
+  }
+  const struct um_model_changes changes = {.key = set, .nkey = nset, .halvings = rounds};
   UM_CHECK(um_model_variant_create(context, model, &changes, &finer));
   UM_CHECK(um_model_precompute(context, finer, &tables));
   UM_CHECK(um_model_run(context, finer, tables, &other));
@@ -121,6 +162,7 @@ enum um_status um_app_space_error(struct um_context *context, const struct um_mo
   of_temperatures(result, other, out);
   of_light(model, result, other, out);
 done:
+  rounds_free(context, model, rounds);
   um_model_result_destroy(context, &other);
   um_model_tables_destroy(context, &tables);
   um_model_destroy(context, &finer);

@@ -213,7 +213,10 @@ static enum um_status build_patch(const struct um_geometry_part_spec *spec,
   }
   UM_TRY(um_geometry_patch_weld(patch));
   UM_TRY(um_geometry_patch_check(patch));
-  return um_geometry_refine(patch, spec->name, spec->facet_size);
+  UM_TRY(um_geometry_refine(patch, spec->name, spec->facet_size));
+  for (size_t i = 0; i < spec->halvings.nround; i++)
+    UM_TRY(um_geometry_halve(patch, spec->name, &spec->halvings.round[i]));
+  return UM_OK;
 }
 
 static enum um_status check_solid(struct um_context *context,

@@ -42,6 +42,18 @@ struct um_geometry_schedule {
   const double *angle; /* [nrow] [rad] */
 };
 
+/* Facets that are cut beyond facet_size, round after round: those of a round by their number in the
+ * part's mesh after the rounds before it. A halving halves the longest edge wanted of a facet. */
+struct um_geometry_halving {
+  size_t nfacet;         /* the part has before the round */
+  const uint32_t *facet; /* [nhalved] that are halved, ascending */
+  size_t nhalved;
+};
+struct um_geometry_halvings {
+  const struct um_geometry_halving *round; /* [nround] */
+  size_t nround;
+};
+
 /* Description of one part; strings are copied. */
 struct um_geometry_part_spec {
   const char *name;
@@ -65,7 +77,8 @@ struct um_geometry_part_spec {
   const struct um_geometry_skin *skins; /* [nskin] */
   size_t nskin;
   double facet_size; /* longest edge wanted [m]; 0: only what the shape needs */
-  bool solid;        /* declared solid: must be closed, is meshed with tetrahedra */
+  struct um_geometry_halvings halvings;
+  bool solid; /* declared solid: must be closed, is meshed with tetrahedra */
 };
 
 /* A surface is one radiating side of one facet. Index order is fixed by part, facet, side. */

@@ -17,7 +17,7 @@ void um_geometry_patch_begin(struct um_geometry_patch *patch, struct um_context 
 void um_geometry_patch_end(struct um_geometry_patch *patch)
 {
   if (patch->context == NULL) return;
-  UM_FREE(patch->context, patch->vertex, patch->corner, patch->group, patch->line);
+  UM_FREE(patch->context, patch->vertex, patch->corner, patch->group, patch->line, patch->root);
   for (size_t i = 0; i < patch->ngroup; i++) um_core_free(patch->context, patch->group_name[i]);
   UM_FREE(patch->context, patch->group_name, patch->group_slot);
   memset(patch, 0, sizeof *patch);
@@ -52,6 +52,7 @@ enum um_status um_geometry_patch_facet(struct um_geometry_patch *patch, uint32_t
     UM_TRY(um_core_reallocate(context, n, sizeof *patch->corner, (void *)&patch->corner));
     UM_TRY(um_core_reallocate(context, n, sizeof *patch->group, (void *)&patch->group));
     UM_TRY(um_core_reallocate(context, n, sizeof *patch->line, (void *)&patch->line));
+    UM_TRY(um_core_reallocate(context, n, sizeof *patch->root, (void *)&patch->root));
     patch->facet_capacity = n;
   }
   size_t i = patch->nfacet++;
@@ -60,6 +61,7 @@ enum um_status um_geometry_patch_facet(struct um_geometry_patch *patch, uint32_t
   patch->corner[i][2] = c;
   patch->group[i] = group;
   patch->line[i] = line;
+  patch->root[i] = (uint32_t)i;
   return UM_OK;
 }
 

@@ -28,6 +28,7 @@ struct um_geometry_patch {
   uint32_t (*corner)[3]; /* [nfacet] */
   uint32_t *group;       /* [nfacet] index into group_name */
   int *line;             /* [nfacet] line of the file; 0 for primitives */
+  uint32_t *root;        /* [nfacet] the facet that it is a piece of, while facets are cut */
   size_t nfacet, facet_capacity;
   char **group_name; /* [ngroup] */
   size_t ngroup, group_capacity;
@@ -80,5 +81,10 @@ enum um_status um_geometry_foreign_refuse(struct um_context *context, const char
 /* Bisect longest edges until none is longer than facet_size [m]; conforming. */
 enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *part,
                                   double facet_size);
+/* Bisect until no piece of a halved facet has an edge longer than half the facet's longest;
+ * conforming, so that facets beside it may be cut, too. UM_ERR_INPUT: the patch has another number
+ * of facets, or a facet is none of them. */
+enum um_status um_geometry_halve(struct um_geometry_patch *patch, const char *part,
+                                 const struct um_geometry_halving *halving);
 
 #endif

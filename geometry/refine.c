@@ -1,13 +1,14 @@
 /* Longest-edge bisection (Rivara 1984, Int. J. Numer. Methods Eng. 20:745).
  *
  * Every edge longer than the facet size is marked; with any edge of a facet its longest one is
- * marked too, being longer still. Every facet is cut through the midpoints of its marked edges, the
- * longest first. An edge is marked or not for all facets that share it, so that no vertex ever lies
- * inside an edge; angles stay above half the smallest one of the start. Passes repeat until nothing
- * is marked. Lengths are taken from the lower vertex number to the higher, ties go by edge number:
- * all sharers see the same. */
+ * marked too: of one size for all it is longer still, of sizes by facet it is added. Every facet is
+ * cut through the midpoints of its marked edges, the longest first. An edge is marked or not for
+ * all facets that share it, so that no vertex ever lies inside an edge; angles stay above half the
+ * smallest one of the start. Passes repeat until nothing is marked. Lengths are taken from the
+ * lower vertex number to the higher, ties go by edge number: all sharers see the same. */
 #include "geometry/patch_impl.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "geometry/geometry_impl.h"
@@ -33,16 +34,40 @@ static int longest_of(const struct pass *pass, const uint32_t edge[3])
   return longer(pass, edge[2], edge[k]) ? 2 : k;
 }
 
+/* Longest edge wanted, of all facets or of the pieces of each. */
+struct wish {
+  double all;            /* [m] */
+  const double *of_root; /* [facets before halving] [m]; NULL: all */
+};
+
+/* One part in 1e9 of slack: a size that divides evenly is not cut once more by rounding. */
+static double limit2_of(const struct wish *wish, uint32_t root)
+{
+  double size = wish->of_root != NULL ? wish->of_root[root] : wish->all;
+  return size * size * (1.0 + 2e-9);
+}
+
 /* Marks what must be cut; false when nothing is left to do. */
-static bool mark(struct pass *pass, double facet_size)
+static bool mark(const struct um_geometry_patch *patch, const struct wish *wish, struct pass *pass)
 {
   bool any = false;
-  /* one part in 1e9 of slack: a size that divides evenly is not cut once more by rounding */
-  double limit2 = facet_size * facet_size * (1.0 + 2e-9);
-  for (size_t e = 0; e < pass->edges.nedge; e++) {
-    if (!(pass->length2[e] > limit2)) continue;
-    pass->marked[e] = 1;
-    any = true;
+  for (size_t f = 0; f < patch->nfacet; f++)
+    for (int k = 0; k < 3; k++) {
+      uint32_t e = pass->edges.of_facet[f][k];
+      if (!(pass->length2[e] > limit2_of(wish, patch->root[f]))) continue;
+      pass->marked[e] = 1;
+      any = true;
+    }
+  for (bool more = any && wish->of_root != NULL; more;) {
+    more = false;
+    for (size_t f = 0; f < patch->nfacet; f++) {
+      const uint32_t *edge = pass->edges.of_facet[f];
+      uint32_t longest = edge[longest_of(pass, edge)];
+      if (pass->marked[longest]) continue;
+      if (!pass->marked[edge[0]] && !pass->marked[edge[1]] && !pass->marked[edge[2]]) continue;
+      pass->marked[longest] = 1;
+      more = true;
+    }
   }
   return any;
 }
@@ -96,14 +121,38 @@ static enum um_status cut(struct um_geometry_patch *patch, const struct pass *pa
   uint32_t bc = pass->midpoint[edge[(k + 1) % 3]], ca = pass->midpoint[edge[(k + 2) % 3]];
   uint32_t group = patch->group[f];
   int line = patch->line[f];
+  size_t before = patch->nfacet;
   /* the half at a, with c and the midpoint */
   uint32_t first[3] = {a, ab, ca == UM_GEOMETRY_NONE ? c : ca};
   memcpy(patch->corner[f], first, sizeof first);
   if (ca != UM_GEOMETRY_NONE) UM_TRY(um_geometry_patch_facet(patch, ca, ab, c, group, line));
   /* the half at b */
-  if (bc == UM_GEOMETRY_NONE) return um_geometry_patch_facet(patch, ab, b, c, group, line);
-  UM_TRY(um_geometry_patch_facet(patch, ab, b, bc, group, line));
-  return um_geometry_patch_facet(patch, ab, bc, c, group, line);
+  if (bc == UM_GEOMETRY_NONE) {
+    UM_TRY(um_geometry_patch_facet(patch, ab, b, c, group, line));
+  } else {
+    UM_TRY(um_geometry_patch_facet(patch, ab, b, bc, group, line));
+    UM_TRY(um_geometry_patch_facet(patch, ab, bc, c, group, line));
+  }
+  for (size_t i = before; i < patch->nfacet; i++) patch->root[i] = patch->root[f];
+  return UM_OK;
+}
+
+static enum um_status cut_all(struct um_geometry_patch *patch, const struct wish *wish)
+{
+  for (bool more = true; more;) {
+    enum um_status status;
+    struct pass pass;
+    UM_TRY(um_core_stop_check(patch->context, "facets were refined"));
+    UM_CHECK(pass_create(patch, &pass));
+    size_t nfacet = patch->nfacet;
+    more = mark(patch, wish, &pass);
+    if (more) UM_CHECK(add_midpoints(patch, &pass));
+    for (size_t f = 0; more && f < nfacet; f++) UM_CHECK(cut(patch, &pass, f));
+  done:
+    pass_destroy(patch->context, &pass);
+    UM_TRY(status);
+  }
+  return UM_OK;
 }
 
 enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *part,
@@ -120,18 +169,44 @@ enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *p
                         "part '%s': a facet size of %g m needs at least %.3g facets; at most %zu "
                         "are accepted",
                         part, facet_size, least, UM_GEOMETRY_MAX_FACETS);
-  for (bool more = true; more;) {
-    enum um_status status;
-    struct pass pass;
-    UM_TRY(um_core_stop_check(patch->context, "facets were refined"));
-    UM_CHECK(pass_create(patch, &pass));
-    size_t nfacet = patch->nfacet;
-    more = mark(&pass, facet_size);
-    if (more) UM_CHECK(add_midpoints(patch, &pass));
-    for (size_t f = 0; more && f < nfacet; f++) UM_CHECK(cut(patch, &pass, f));
-  done:
-    pass_destroy(patch->context, &pass);
-    UM_TRY(status);
+  const struct wish wish = {.all = facet_size};
+  return cut_all(patch, &wish);
+}
+
+enum um_status um_geometry_halve(struct um_geometry_patch *patch, const char *part,
+                                 const struct um_geometry_halving *halving)
+{
+  enum um_status status;
+  size_t n = patch->nfacet;
+  double *size = NULL;
+  if (halving->nfacet != n)
+    return um_core_fail(patch->context, UM_ERR_INPUT,
+                        "part '%s': halvings are of %zu facets, but it has %zu", part,
+                        halving->nfacet, n);
+  UM_CHECK(um_core_allocate(patch->context, n, sizeof *size, &size));
+  for (size_t f = 0; f < n; f++) {
+    patch->root[f] = (uint32_t)f;
+    size[f] = INFINITY;
   }
-  return UM_OK;
+  for (size_t i = 0; i < halving->nhalved; i++) {
+    uint32_t f = halving->facet[i];
+    double longest2 = 0.0;
+    if (f >= n) {
+      status =
+          um_core_fail(patch->context, UM_ERR_INPUT,
+                       "part '%s': facet %lu is halved, but it has %zu", part, (unsigned long)f, n);
+      goto done;
+    }
+    for (int k = 0; k < 3; k++) {
+      struct um_vec3 d = um_vec3_sub(patch->vertex[patch->corner[f][(k + 1) % 3]],
+                                     patch->vertex[patch->corner[f][k]]);
+      longest2 = fmax(longest2, um_vec3_dot(d, d));
+    }
+    size[f] = 0.5 * sqrt(longest2);
+  }
+  const struct wish wish = {.of_root = size};
+  UM_CHECK(cut_all(patch, &wish));
+done:
+  um_core_free(patch->context, size);
+  return status;
 }

@@ -74,11 +74,13 @@ static enum um_status variant_make(struct um_context *context,
     return um_model_fail(context, &model->scenario->at, code[0],
                          "cannot change with the scenario; accepted: a scenario of its own");
   UM_TRY(um_model_vary_effects(context, model, changes));
+  model->halvings = changes->halvings;
   UM_TRY(um_model_build_environment(context, model));
   UM_TRY(um_model_build_orbit(context, model));
   UM_TRY(build_body(context, model));
   for (size_t i = 0; i < changes->nsource; i++)
     UM_TRY(um_thermal_network_source_add(model->body->network, &changes->source[i]));
+  if (changes->halvings != NULL) model->halvings = NULL; /* borrowed */
   return UM_OK;
 }
 

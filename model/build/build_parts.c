@@ -273,6 +273,8 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
     UM_CHECK(check_materials(context, model, part_at(model, i)));
     UM_CHECK(check_parent(context, model, part_at(model, i)));
   }
+  if (model->halvings == NULL) UM_CHECK(um_model_build_facets(context, model));
+  for (size_t i = 0; i < n && model->halvings != NULL; i++) specs[i].halvings = model->halvings[i];
   status = um_geometry_create(context, specs, n, &model->geometry);
   if (status != UM_OK) {
     status = um_model_blame_part(context, model, status);

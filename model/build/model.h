@@ -86,6 +86,7 @@ struct um_model_changes {
   size_t nwith, nwithout;
   const struct um_model_addition *addition; /* [naddition] behind them */
   size_t naddition;
+  const struct um_geometry_halvings *halvings; /* [parts] in place of thermal.facets; NULL: none */
   const struct um_thermal_source *source; /* [nsource] of heat in nodes, beside the scenario's */
   size_t nsource;
 };
@@ -124,8 +125,10 @@ struct um_model {
   struct um_vec3 pole;      /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */
   struct um_vec3 greenwich; /* prime meridian at the equator, GCRS, at the start */
   bool sun_frozen;
-  struct um_vec3 frozen_sun_position;   /* geocentric, GCRS [m], when sun_frozen */
-  struct um_materials_library *library; /* a variant may borrow that of its origin */
+  struct um_vec3 frozen_sun_position;          /* geocentric, GCRS [m], when sun_frozen */
+  struct um_materials_library *library;        /* a variant may borrow that of its origin */
+  const struct um_geometry_halvings *halvings; /* [parts] of thermal.facets; NULL: there are none,
+                                                  or changes had them */
   struct um_geometry *geometry;
   const struct um_materials_record **material; /* [material of the geometry] */
   struct um_materials_adjustment

@@ -47,6 +47,9 @@ void um_model_bins_pass(const struct um_instrument_filter *curve, const struct u
 enum um_status um_model_build_effect_files(struct um_context *context, struct um_model *model,
                                            const struct um_model_options *options);
 
+/* thermal.facets into model->halvings, left NULL without. UM_ERR_INPUT with file, line, column. */
+enum um_status um_model_build_facets(struct um_context *context, struct um_model *model);
+
 /* library, geometry, material records of it. */
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model);
 

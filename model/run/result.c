@@ -26,6 +26,6 @@ void um_model_result_destroy(struct um_context *context, struct um_model_result 
           r->intensity, r->standard_error, r->irradiance_error, r->magnitude_error, r->vega_ab,
           r->count_rate, r->grey_body, r->count_rate_error, r->spectral, r->wavelength,
           r->bin_width, r->transmission, r->bin_band, r->surface_temperature, r->node_temperature,
-          r);
+          r->mesh.surface, r->mesh.side, r->mesh.light, r->mesh.light_mean, r);
   *result = NULL;
 }

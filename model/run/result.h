@@ -22,6 +22,20 @@ struct um_model_grey_body {
   double area_error;                       /* [m^2] */
 };
 
+/* What finer facets would change of a run, estimated (model/run/mesh_error.h). Signs: of what is,
+ * less what finer facets have [K]; of light, what they have over what is, less 1 [1]. */
+struct um_model_mesh_error {
+  double *surface;    /* [nsurface] rms over the instants [K] */
+  double *side;       /* [2 groups] of the mean of a group's front, of its back, the largest of the
+                         instants [K] */
+  double temperature; /* the largest of these [K] */
+  double temperature_mean;    /* of its size, over surfaces by area and over instants [K] */
+  size_t group;               /* of the geometry, where it is largest */
+  bool back;                  /* its side */
+  size_t nband;               /* 0: no light */
+  double *light, *light_mean; /* [nband] of the observation where it is largest, and the mean [1] */
+};
+
 struct um_model_result {
   size_t nobs, nband, nsensor, nmaterial, nsurface, nnode, nplace;
   double *irradiance; /* [nobs][nband] at the aperture, what the filter lets through, after effects
@@ -55,6 +69,7 @@ struct um_model_result {
   double audit_limit;           /* of it (um_thermal_history_audit_limit) */
   double periodic_distance;     /* what the periodic start left [K]; NaN when isothermal */
   size_t steps, rhs_evaluations, jacobians;
+  struct um_model_mesh_error mesh; /* surface NULL: not asked for */
 };
 
 /* Radiant intensity of one observation and band, all materials together [W/sr]; mechanism < 0: all.

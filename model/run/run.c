@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/run/mesh_error.h"
 #include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
 #include "model/run/thermal_solution.h"
@@ -66,6 +67,8 @@ enum um_status um_model_run(struct um_context *context, const struct um_model *m
   UM_TRY(um_model_thermal_solution_create(context, model, tables, NULL, 1.0, &heat));
   enum um_status status = adapt(context, model, &heat->run, tables);
   if (status == UM_OK) status = um_model_run_with(context, model, tables, heat, out);
+  if (status == UM_OK)
+    status = um_model_mesh_error(context, model, tables, heat, *out, &(*out)->mesh);
   if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
     status = um_model_check_record_ranges(context, model, tables, *out);
   um_model_thermal_solution_destroy(context, &heat);

@@ -329,7 +329,8 @@ struct um_scenario_thermal {
   struct um_mark at;
   double orbits_before;
   int start; /* enum um_scenario_start */
-  double start_temperature_K, facet_size_m, step_s, accuracy_K;
+  double start_temperature_K, facet_size_m, facet_error_K, step_s, accuracy_K;
+  const char *facets;
   int spin_loads;                                  /* enum um_scenario_spin_loads */
   double relative_tolerance, absolute_tolerance_K; /* NaN: by the accuracy */
   int samples;

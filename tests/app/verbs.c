@@ -68,6 +68,8 @@ static void test_json(void **state)
        "\"phase_angles_deg\": [0], \"nodes\": "},
       {{"cases", "box.yaml", "--no-plots", "--json"}, "\"analysis\": \"transient\", \"places\": ["},
       {{"export", "box.yaml", "--as", "mesh", "-o", "box.obj", "--json"}, "\"facets\": 12,"},
+      {{"export", "box.yaml", "--as", "facets", "-o", "facets.csv", "--json"},
+       "\"reached\": true, \"rounds\": [{\"facets\": 12, \"error_K\": "},
       {{"export", "box.yaml", "--as", "trajectory", "-o", "t", "--json"}, "\"step_s\": 5"},
       {{"new", "mine", "--from", "box.obj", "--json"},
        "\"folder\": \"mine\", \"name\": \"mine\", \"parts\": 1, \"start_utc\": \"2026-"},

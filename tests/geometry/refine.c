@@ -50,6 +50,77 @@ static void prism_keeps_area_and_volume(void **state)
   }
 }
 
+static double longest2_of(const struct support *s, size_t f)
+{
+  double longest2 = 0.0;
+  for (int k = 0; k < 3; k++) {
+    struct um_vec3 d = um_vec3_sub(s->pose->vertex[s->mesh->corner[f][(k + 1) % 3]],
+                                   s->pose->vertex[s->mesh->corner[f][k]]);
+    longest2 = fmax(longest2, um_vec3_dot(d, d));
+  }
+  return longest2;
+}
+
+/* Does p lie in facet f, edges included? */
+static bool holds(const struct support *s, size_t f, struct um_vec3 p)
+{
+  for (int k = 0; k < 3; k++) {
+    struct um_vec3 a = s->pose->vertex[s->mesh->corner[f][k]];
+    struct um_vec3 b = s->pose->vertex[s->mesh->corner[f][(k + 1) % 3]];
+    struct um_vec3 n = um_vec3_cross(um_vec3_sub(b, a), um_vec3_sub(p, a));
+    if (um_vec3_dot(n, s->pose->facet_normal[f]) < -1e-12) return false;
+  }
+  return fabs(um_vec3_dot(um_vec3_sub(p, s->pose->vertex[s->mesh->corner[f][0]]),
+                          s->pose->facet_normal[f])) < 1e-12;
+}
+
+static struct um_vec3 centroid(const struct support *s, size_t f)
+{
+  const uint32_t *c = s->mesh->corner[f];
+  struct um_vec3 sum = um_vec3_add(s->pose->vertex[c[0]], s->pose->vertex[c[1]]);
+  return um_vec3_scale(um_vec3_add(sum, s->pose->vertex[c[2]]), 1.0 / 3.0);
+}
+
+/* Facets 3 and 40 of a box of 0.5 m, then four of that: pieces are half as long, the box stays
+ * closed and conforming, most facets are left as they were. */
+static void halvings_are_local(void **state)
+{
+  (void)state;
+  static const uint32_t first[] = {3, 40}, second[] = {3, 60, 61, 100};
+  struct um_geometry_halving round[2] = {{0, first, 2}, {0, second, 4}};
+  struct support before = {NULL, NULL, NULL, NULL, NULL};
+  for (size_t i = 0; i <= 2; i++) {
+    struct um_geometry_part_spec spec = support_box("box", 2.0, 1.0, 1.5);
+    spec.facet_size = 0.5;
+    spec.solid = true;
+    spec.halvings = (struct um_geometry_halvings){round, i};
+    struct support s = support_create(&spec, 1);
+    struct um_geometry_report report = um_geometry_report(s.geometry, 0);
+    assert_int_equal(2 * report.nvertex, report.nfacet + 4);
+    assert_close(report.area, 13.0, 1e-12);
+    for (size_t k = 0; i > 0 && k < round[i - 1].nhalved; k++) {
+      uint32_t halved = round[i - 1].facet[k];
+      size_t pieces = 0;
+      for (size_t f = 0; f < s.mesh->nfacet; f++) {
+        if (!holds(&before, halved, centroid(&s, f))) continue;
+        pieces++;
+        assert_true(longest2_of(&s, f) <= 0.25 * longest2_of(&before, halved) * (1.0 + 1e-8));
+      }
+      assert_true(pieces >= 4);
+    }
+    if (i > 0) {
+      assert_true(s.mesh->nfacet <= before.mesh->nfacet + 12 * round[i - 1].nhalved);
+      support_destroy(&before);
+    }
+    if (i < 2) round[i].nfacet = s.mesh->nfacet;
+    before = s;
+  }
+  support_destroy(&before);
+  struct um_geometry_part_spec spec = support_box("box", 2.0, 1.0, 1.5);
+  spec.halvings = (struct um_geometry_halvings){round, 1};
+  support_refused(&spec, 1, "part 'box': halvings are of ");
+}
+
 /* All closed primitives stay closed, whatever the size. */
 static void primitives_stay_closed(void **state)
 {
@@ -134,7 +205,8 @@ static void stop_anywhere(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(prism_keeps_area_and_volume), cmocka_unit_test(primitives_stay_closed),
-      cmocka_unit_test(tiny_size_is_refused), cmocka_unit_test(stop_anywhere)};
+      cmocka_unit_test(prism_keeps_area_and_volume), cmocka_unit_test(halvings_are_local),
+      cmocka_unit_test(primitives_stay_closed), cmocka_unit_test(tiny_size_is_refused),
+      cmocka_unit_test(stop_anywhere)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -128,6 +128,7 @@ static enum um_status attach_surfaces(struct um_thermal_builder *b)
     const uint32_t *wall = back ? b->back[surface->facet] : b->front[surface->facet];
     uint32_t skin = back ? UM_THERMAL_SPACE : b->skin[surface->facet];
     place_on(skin != UM_THERMAL_SPACE ? (uint32_t[3]){skin, skin, skin} : wall, &at);
+    if (skin == UM_THERMAL_SPACE) at.in_plane = um_thermal_shell_in_plane(b, surface->facet, back);
     UM_TRY(um_thermal_network_surface_attach(b->network, (uint32_t)s, &at));
   }
   return UM_OK;

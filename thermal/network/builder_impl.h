@@ -4,6 +4,7 @@
 #define UMBRA_THERMAL_NETWORK_BUILDER_IMPL_H
 
 #include "thermal/network/body.h"
+#include "thermal/network/shell_element_group.h"
 
 /* Laws of the network that a wall or solid follows, or UM_THERMAL_NO_LAW. */
 struct um_thermal_bulk_index {
@@ -65,9 +66,9 @@ const char *um_thermal_builder_part_name(const struct um_thermal_builder *b, siz
 enum um_status um_thermal_body_check(struct um_thermal_builder *b,
                                      const struct um_thermal_part_spec *parts, size_t npart);
 
-/* Linear triangle: conductances [W/K] between the corners, out[e] opposite corner e, for in-plane
- * conductance kt [W/K]: kt cot(angle e) / 2. */
-void um_thermal_shell_element(const struct um_vec3 corner[3], double kt, double out[3]);
+/* What the layer of a facet's wall on that side conducts in plane, kt at 300 K [W/K]; 0: the part
+ * is no shell, or the wall is left out. */
+double um_thermal_shell_in_plane(const struct um_thermal_builder *b, size_t facet, bool back);
 /* Nodes, capacities and conduction of the walls of one part. */
 enum um_status um_thermal_shell_assemble(struct um_thermal_builder *b, size_t part);
 

@@ -130,6 +130,8 @@ struct um_thermal_surface {
   bool inside; /* turned to the inside of a closed part: no load reaches it, all of its emission
                   other surfaces of the room; numbered behind those that loads are for */
   const struct um_thermal_surface_law *law; /* by angle and temperature; borrowed; NULL: constant */
+  double in_plane; /* what the wall under it conducts in plane, kt at 300 K [W/K]; 0: it lies on no
+                      wall of linear triangles. For mesh_error.h alone */
 };
 /* Emission to space [m^2]: times sigma T^4, and what the law says at T. */
 static inline double um_thermal_surface_emission(const struct um_thermal_surface *surface)

@@ -27,6 +27,17 @@ static double front_share(const struct um_thermal_builder *b, size_t facet)
   return um_thermal_builder_shell(b, b->mesh->facet_group[facet])->front_share;
 }
 
+double um_thermal_shell_in_plane(const struct um_thermal_builder *b, size_t facet, bool back)
+{
+  uint32_t group = b->mesh->facet_group[facet];
+  double share = front_share(b, facet);
+  if (b->part[b->mesh->facet_part[facet]]->kind != UM_THERMAL_SHELL ||
+      um_thermal_builder_wall_left_out(b, group))
+    return 0.0;
+  if (back && um_thermal_builder_two_layers(b, facet)) share = 1.0 - share;
+  return share * um_thermal_builder_shell(b, group)->conductance;
+}
+
 static bool has_wall(const struct um_thermal_builder *b, size_t facet, size_t part)
 {
   return b->mesh->facet_part[facet] == part &&

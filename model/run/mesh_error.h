@@ -1,0 +1,19 @@
+/* What finer facets would change of a run. */
+#ifndef UMBRA_MODEL_MESH_ERROR_H
+#define UMBRA_MODEL_MESH_ERROR_H
+
+#include "model/build/model.h"
+#include "model/geometry/tables.h"
+#include "model/run/result.h"
+#include "model/run/thermal_solution.h"
+
+/* An estimate by the run's own temperatures (thermal/solver/mesh_error.h), at 48 instants of the
+ * observations at most, evenly taken. *out is freed with the result. UM_ERR_MEMORY,
+ * UM_ERR_CANCELLED. */
+enum um_status um_model_mesh_error(struct um_context *context, const struct um_model *model,
+                                   const struct um_model_tables *tables,
+                                   const struct um_model_thermal_solution *heat,
+                                   const struct um_model_result *result,
+                                   struct um_model_mesh_error *out);
+
+#endif
