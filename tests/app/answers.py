@@ -72,6 +72,7 @@ def commands():
     yield ["check", *BOX, "--view", "--out", "view"]
     yield ["cases", "limits.yaml", "--no-plots", "--out", "cases"]
     yield ["export", *BOX, "--as", "mesh", "-o", "box.obj"]
+    yield ["export", *BOX, "--as", "facets", "-o", "facets.csv"]
     yield ["export", *BOX, "--as", "trajectory", "-o", "trajectory"]
     yield ["export", *BOX, "--as", "exchange", "-o", "exchange"]
     yield ["forecast", *BOX, "--days", "0.6", "--times"]
