@@ -68,6 +68,7 @@ struct um_thermal_heater {
                         "interior" or the name of another; as in contacts */
   double power;      /* [W] */
   double on, off;    /* [K] */
+  double phase;      /* where in its cycle a run begins, as there [1]; 0: not stated */
 };
 #define UM_THERMAL_HEATERS_MAX 16 /* of one part */
 struct um_thermal_group_spec {
