@@ -237,6 +237,8 @@ struct um_scenario_mli {
   const char *wraps; /* NULL or "wall": the wall; else an interior */
   double factor, layers, layers_per_cm, shield_emittance; /* of laws; NaN: not stated */
   double seam_length_m, seam_conductance_W_m_K;           /* NaN: no seams */
+  int sheets;                                             /* under the outer layer */
+  double sheets_areal_heat_capacity_J_m2_K;               /* of all of them; NaN: not stated */
 };
 struct um_scenario_interior {
   struct um_mark at;

@@ -67,6 +67,11 @@ static const struct um_schema_field mli_fields[] = {
       HELP("heat conducted past the blanket per length of seam")),
     F(areal_heat_capacity_J_m2_K, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e6),
       HELP("of the outer layer")),
+    F(sheets, UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 50),
+      HELP("under the outer layer that store heat, alike and in a row; e* is shared evenly by the "
+           "gaps on the way in, one more than sheets")),
+    F(sheets_areal_heat_capacity_J_m2_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e6),
+      HELP("of all sheets together, which need it; 6 um of Mylar has 10")),
     F(wraps, UM_SCHEMA_TEXT, NAME,
       HELP("wall, which is the default, or directly (then there is no wall) interior or one of "
            "interiors")),

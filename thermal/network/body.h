@@ -38,6 +38,10 @@ struct um_thermal_mli {
   double conducted;        /* share of e* at 300 K that spacers conduct, under a law [1] */
   double exponent;         /* e* is times (T_m / 300 K)^exponent beside that; 0: it is not */
   double seam_conductance; /* over the blanket's area [W/m^2/K] */
+  /* Sheets under the outer layer that store heat, alike, in a row; e* is shared evenly by the gaps
+   * on the way in, one more than sheets. 0: the outer layer alone stores heat. */
+  size_t sheets;
+  double sheet_heat_capacity; /* of all of them [J/m^2/K] */
 };
 /* Heat of a place over time: linear between rows, equal times are jumps, 0 outside. */
 struct um_thermal_power_history {
@@ -133,14 +137,15 @@ struct um_thermal_contact {
 };
 
 /* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
- * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it.
+ * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it,
+ * "part.sheets" and "part.group.sheets" the sheets of MLI between.
  */
 enum um_thermal_place_kind {
   UM_PLACE_PART,       /* all surfaces of a part */
   UM_PLACE_SIDE,       /* its fronts or backs */
-  UM_PLACE_WALL,       /* all walls under MLI, or all inner layers that radiate inside */
+  UM_PLACE_WALL,       /* all walls under MLI, inner layers that radiate inside, or sheets of MLI */
   UM_PLACE_GROUP,      /* surfaces of one group and side */
-  UM_PLACE_GROUP_WALL, /* its wall under MLI, or its inner layer */
+  UM_PLACE_GROUP_WALL, /* its wall under MLI, its inner layer, or the sheets of its MLI */
   UM_PLACE_INTERIOR
 };
 struct um_thermal_place {

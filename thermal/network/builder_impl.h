@@ -31,6 +31,8 @@ struct um_thermal_builder {
    * is one layer); UM_THERMAL_SPACE where the wall is left out. [nfacet] */
   uint32_t (*front)[3], (*back)[3];
   uint32_t *skin;         /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
+  uint32_t *sheet;        /* [nfacet] the outer one of the sheets under it, the others next to it;
+                             UM_THERMAL_SPACE none */
   size_t *first_interior; /* [npart + 1] where a part's interiors begin */
   uint32_t *interior; /* [first_interior[npart]] their nodes, of solids the first; UM_THERMAL_SPACE:
                          not yet */
