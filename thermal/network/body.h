@@ -16,15 +16,24 @@ struct um_thermal_bulk_law {
   double capacity_slope; /* of the capacity beside that, per K from 300 K [1/K]; 0: none */
 };
 
+/* Nodes in the thickness of a wall of two layers, front to back. */
+struct um_thermal_core {
+  size_t n;
+  double *capacity;   /* [n] of each, share of the wall's [1] */
+  double *resistance; /* [n + 1] from the front layer to the first, ..., from the last to the back
+                         layer, share of the whole [1]; sum 1 */
+};
+
 /* A wall: thin sheet with two faces. Capacities are per face node layer.
  * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A wall has two layers where both
  * sides radiate: the back of an open part, the inside of a closed one that radiates inside. */
 struct um_thermal_shell {
   double areal_heat_capacity; /* of the whole wall [J/m^2/K] */
   double front_share;         /* of it on the front layer [1], default 0.5 (1 when one layer) */
-  double conductance;         /* k t of the whole wall, in plane [W/K]; split like the capacity */
-  double through_conductance; /* between the layers [W/m^2/K]; INFINITY: one layer */
-  struct um_thermal_bulk_law law; /* of capacity and in-plane conductance */
+  double conductance; /* k t of the whole wall, in plane [W/K]; split like the layers' capacity */
+  double through_conductance;         /* between the layers [W/m^2/K]; INFINITY: one layer */
+  const struct um_thermal_core *core; /* what lies between them; outlives the body; NULL: nothing */
+  struct um_thermal_bulk_law law;     /* of capacity and in-plane conductance */
 };
 /* MLI on the outside of a wall, or of an interior when mounted on none: a skin node per facet of
  * areal capacity, coupled to what it wraps by e* sigma (T^4 - T^4), or as a law has it, and through
@@ -138,14 +147,16 @@ struct um_thermal_contact {
 
 /* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
  * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it,
- * "part.sheets" and "part.group.sheets" the sheets of MLI between.
+ * "part.sheets" and "part.group.sheets" the sheets of MLI between, "part.core" and
+ * "part.group.core" what lies between the layers of a wall.
  */
 enum um_thermal_place_kind {
   UM_PLACE_PART,       /* all surfaces of a part */
   UM_PLACE_SIDE,       /* its fronts or backs */
-  UM_PLACE_WALL,       /* all walls under MLI, inner layers that radiate inside, or sheets of MLI */
+  UM_PLACE_WALL,       /* all walls under MLI, inner layers that radiate inside, sheets of MLI, or
+                          what lies between the layers */
   UM_PLACE_GROUP,      /* surfaces of one group and side */
-  UM_PLACE_GROUP_WALL, /* its wall under MLI, its inner layer, or the sheets of its MLI */
+  UM_PLACE_GROUP_WALL, /* its wall under MLI, its inner layer, the sheets of its MLI, its core */
   UM_PLACE_INTERIOR
 };
 struct um_thermal_place {
