@@ -1,5 +1,5 @@
-/* Heat capacity of walls, solids and MLI skins: f C dT/dt = q. It acts in transients alone, with
- * the time constant
+/* Heat capacity of walls, solids and MLI, its skin and what sheets under it store: f C dT/dt = q.
+ * It acts in transients alone, with the time constant
  *
  *   tau = f C / (4 eps sigma T^3);
  *
@@ -18,6 +18,7 @@ static enum um_status scale_group(struct um_context *context, const struct um_ef
   double capacity = 0.0;
   if (wall != NULL) capacity += wall->areal_heat_capacity *= use->value[0];
   if (mli != NULL) capacity += mli->areal_heat_capacity *= use->value[0];
+  if (mli != NULL) mli->sheet_heat_capacity *= use->value[0];
   if (use->target == NULL || strcmp(use->target, part) == 0 || capacity > 0.0) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,
                       "effect 'heat_capacity': '%s.%s' has no wall or MLI with a heat capacity",
@@ -53,7 +54,7 @@ static void stated(const struct um_effect_nominal *n, struct um_effect_stated *o
 static const struct um_effect_parameter parameters[] = {
     {.name = "factor",
      .unit = "1",
-     .help = "of the heat capacity of walls, solids and MLI skins",
+     .help = "of the heat capacity of walls, solids and MLI",
      .null_value = 1.0,
      .default_value = 1.5,
      .minimum = 0.05,
@@ -71,7 +72,7 @@ const struct um_effect um_effects_heat_capacity = {
     .name = "heat_capacity",
     .summary = "Walls hold more or less heat than stated",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 15",
-    .validity = "walls, solids and MLI skins, not the interior; nothing to see in a steady state",
+    .validity = "walls, solids and MLI, not the interior; nothing to see in a steady state",
     .separated_by = "emittance: the slope of a temperature at shadow entry and its lag behind the "
                     "spin go with 1/C, the value late in the eclipse does not",
     .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,

@@ -35,6 +35,7 @@ static enum um_status add_heater(struct um_context *context, const struct um_eff
       .power = use->value[0],
       .on = use->value[1],
       .off = use->value[1] + use->value[2],
+      .phase = use->value[3],
   };
   return UM_OK;
 }
@@ -69,6 +70,17 @@ static const struct um_effect_parameter parameters[] = {
      .prior_sigma = 1.0,
      .logarithmic = true,
      .prior = "mechanical thermostats 3 to 8 K, electronic ones 0.5 to 2 K"},
+    {.name = "phase",
+     .unit = "1",
+     .help = "where in its cycle the run begins: 0 to 0.5 on, from on_K upward, 0.5 to 1 off, down "
+             "again; 0: not stated, on below the middle of the band",
+     .null_value = 0.0,
+     .default_value = 0.0,
+     .minimum = 0.0,
+     .maximum = 1.0,
+     .prior_sigma = INFINITY,
+     .chosen = true,
+     .prior = "any: nobody knows when it last switched"},
 };
 
 const struct um_effect um_effects_heater = {
@@ -77,7 +89,8 @@ const struct um_effect um_effects_heater = {
     .summary = "A thermostat heater keeps a wall or the inside of a part from growing colder",
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 7",
     .validity = "walls and interiors that store heat; a side of two layers is the layer of that "
-                "name; sensed where it heats; in the orbit that repeats its mean power acts",
+                "name; sensed where it heats; in the orbit that repeats its mean power acts; a "
+                "phase needs a place that is within the band where the run begins",
     .separated_by = "heat_capacity and internal_power: the temperature stops falling at one value "
                     "whatever the heat load, and the light does not change while it is warmer; a "
                     "saw-tooth of minutes where sampling is dense",

@@ -32,6 +32,11 @@ static enum um_status keys_check(struct um_context *context, const struct um_sce
     return um_model_fail(context, &from->at,
                          isnan(from->seam_length_m) ? "seam_conductance_W_m_K" : "seam_length_m",
                          "stands alone; accepted: seam_length_m and seam_conductance_W_m_K");
+  bool stated = !isnan(from->sheets_areal_heat_capacity_J_m2_K);
+  if (stated != (from->sheets > 0))
+    return um_model_fail(context, &from->at,
+                         stated ? "sheets_areal_heat_capacity_J_m2_K" : "sheets",
+                         "stands alone; accepted: sheets and sheets_areal_heat_capacity_J_m2_K");
   return UM_OK;
 }
 
@@ -64,6 +69,8 @@ enum um_status um_model_build_mli(struct um_context *context, struct um_model *m
   mli->conducted = slope.conducted;
   mli->law = (enum um_thermal_mli_law)from->law;
   mli->areal_heat_capacity = from->areal_heat_capacity_J_m2_K;
+  mli->sheets = (size_t)from->sheets;
+  if (from->sheets > 0) mli->sheet_heat_capacity = from->sheets_areal_heat_capacity_J_m2_K;
   mli->wraps_interior = inside;
   mli->interior = interior;
   if (!isnan(from->seam_length_m))

@@ -165,6 +165,9 @@ static enum um_status check_shell(struct um_context *context, const struct um_mo
 {
   if (shell == NULL) return UM_OK;
   UM_TRY(check_material(context, model, &shell->at, "material", shell->material));
+  const struct um_scenario_layer *layer = shell->layers.items;
+  for (size_t i = 0; i < shell->layers.count; i++)
+    UM_TRY(check_material(context, model, &layer[i].at, "material", layer[i].material));
   if (shell->honeycomb == NULL) return UM_OK;
   const struct um_scenario_honeycomb *panel = shell->honeycomb;
   UM_TRY(check_material(context, model, &panel->at, "material", panel->material));

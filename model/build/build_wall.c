@@ -23,6 +23,7 @@ enum um_status um_model_build_shell(struct um_context *context, struct um_model 
   to->conductance = from->conductance_W_K;
   to->through_conductance =
       isnan(from->through_conductance_W_m2_K) ? INFINITY : from->through_conductance_W_m2_K;
+  if (from->layers.count > 0) return um_model_build_layers(context, model, from, to);
   if (from->honeycomb != NULL) UM_TRY(um_model_build_honeycomb(context, model, from, to));
   if (from->material != NULL) {
     const struct um_materials_record *record =

@@ -87,6 +87,10 @@ void um_model_warn_of_bare_blanket(struct um_context *context, const struct um_m
                                    const struct um_scenario_part *part,
                                    const struct um_thermal_group_spec *groups, size_t n);
 
+/* A wall of layers with nodes in its thickness; shell->layers is not empty. */
+enum um_status um_model_build_layers(struct um_context *context, struct um_model *model,
+                                     const struct um_scenario_shell *shell,
+                                     struct um_thermal_shell *to);
 /* Fills what of *to is not stated (NaN); shell->honeycomb is there. */
 enum um_status um_model_build_honeycomb(struct um_context *context, struct um_model *model,
                                         const struct um_scenario_shell *shell,

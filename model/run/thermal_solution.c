@@ -56,13 +56,13 @@ static enum um_status hold_start(struct um_context *context, struct um_model_the
 }
 
 /* Is the periodic orbit over when the observations begin? Its end is then a state to go on from,
- * which saves following it again. Not with a thermostat, which remembers whether it was on, nor
- * where the run begins off the periodic state. */
+ * which saves following it again. Not with a thermostat, which remembers whether it was on, unless
+ * its phase is stated, nor where the run begins off the periodic state. */
 static bool goes_on(const struct um_model_thermal_solution *heat)
 {
   const struct um_model_tables *tables = heat->tables;
   return !isnan(heat->periodic_distance) && heat->model->start_offset == NULL &&
-         um_thermal_network_thermostats(heat->model->body->network) == 0 &&
+         um_thermal_network_phases_stated(heat->model->body->network) &&
          tables->t_periodic_end <= tables->sample[0].t_tai + 1e-6;
 }
 

@@ -223,12 +223,20 @@ struct um_scenario_honeycomb {
   const char *material, *core_material;
   double face_mm, core_mm, core_density_kg_m3;
 };
+struct um_scenario_layer {
+  struct um_mark at;
+  const char *material;
+  double thickness_mm, density_kg_m3, specific_heat_J_kg_K,
+      conductivity_W_m_K; /* NaN: not stated */
+  int cells;
+};
 struct um_scenario_shell {
   struct um_mark at;
   double areal_heat_capacity_J_m2_K, conductance_W_K, through_conductance_W_m2_K, front_share;
   const char *material;
   double thickness_mm;
   struct um_scenario_honeycomb *honeycomb;
+  struct um_schema_list layers; /* of struct um_scenario_layer */
 };
 struct um_scenario_mli {
   struct um_mark at;
@@ -237,6 +245,8 @@ struct um_scenario_mli {
   const char *wraps; /* NULL or "wall": the wall; else an interior */
   double factor, layers, layers_per_cm, shield_emittance; /* of laws; NaN: not stated */
   double seam_length_m, seam_conductance_W_m_K;           /* NaN: no seams */
+  int sheets;                                             /* under the outer layer */
+  double sheets_areal_heat_capacity_J_m2_K;               /* of all of them; NaN: not stated */
 };
 struct um_scenario_interior {
   struct um_mark at;

@@ -27,6 +27,22 @@ static const struct um_schema_field honeycomb_fields[] = {
 OBJECT(honeycomb_object, struct um_scenario_honeycomb, "honeycomb",
        "A panel of two faces and a core of cells.", FIELDS(honeycomb_fields));
 
+#define OF struct um_scenario_layer
+static const struct um_schema_field layer_fields[] = {
+    F(thickness_mm, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("of the layer")),
+    F(material, UM_SCHEMA_TEXT, NAME, HELP("record with density, specific heat, conductivity")),
+    F(density_kg_m3, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5), HELP("instead of the record's")),
+    F(specific_heat_J_kg_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
+      HELP("instead of the record's")),
+    F(conductivity_W_m_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
+      HELP("instead of the record's")),
+    F(cells, UM_SCHEMA_INTEGER, DEFAULT(2), BETWEEN(1, 50),
+      HELP("into which its thickness is cut, a node between one and the next")),
+};
+#undef OF
+OBJECT(layer_object, struct um_scenario_layer, "layer", "One layer of a wall.",
+       FIELDS(layer_fields));
+
 #define OF struct um_scenario_shell
 static const struct um_schema_field shell_fields[] = {
     F(areal_heat_capacity_J_m2_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e9),
@@ -41,6 +57,9 @@ static const struct um_schema_field shell_fields[] = {
     F(thickness_mm, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e4),
       HELP("of the wall, with material")),
     F(honeycomb, UM_SCHEMA_MAP, .object = &honeycomb_object),
+    F(layers, UM_SCHEMA_LIST, MOST(100), .object = &layer_object,
+      HELP("front first: nodes in the thickness, of a wall whose two sides radiate; in place of "
+           "material, honeycomb and numbers of the wall; in plane conductance_W_K, or theirs")),
 };
 #undef OF
 OBJECT(shell_object, struct um_scenario_shell, "shell", "The wall of a part as a thin sheet.",
@@ -67,6 +86,11 @@ static const struct um_schema_field mli_fields[] = {
       HELP("heat conducted past the blanket per length of seam")),
     F(areal_heat_capacity_J_m2_K, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e6),
       HELP("of the outer layer")),
+    F(sheets, UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 50),
+      HELP("under the outer layer that store heat, alike and in a row; e* is shared evenly by the "
+           "gaps on the way in, one more than sheets")),
+    F(sheets_areal_heat_capacity_J_m2_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e6),
+      HELP("of all sheets together, which need it; 6 um of Mylar has 10")),
     F(wraps, UM_SCHEMA_TEXT, NAME,
       HELP("wall, which is the default, or directly (then there is no wall) interior or one of "
            "interiors")),

@@ -52,6 +52,7 @@ static const struct entry cases[] = {
     {"mli_emittance", "box", 0.1, "panel", NULL},
     {"mli_temperature_law", "box", 0.3, "panel", NULL},
     {"mli_seams", "box", 0.02, "panel", "seams do not insulate"},
+    {"mli_sheets", "box", 20.0, "panel", "sheets do not store less than nothing"},
     {"mli_creases", "box", 2.0, "vis", NULL},
     {"panel_flatness", "wing", 2.0, "vis", NULL},
     {"heat_capacity", "panel", 0.1, "vis", NULL},

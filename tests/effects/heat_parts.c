@@ -127,6 +127,65 @@ static void blankets_have_laws_and_seams(void **state)
   }
 }
 
+/* Conducted and exchanged heat [W] of the places that add up to the satellite. */
+static double within(const struct heat_run *run, size_t k, double *most)
+{
+  static const char *const places[] = {"panel", "bus", "bus.wall", "bus.sheets", "bus.interior"};
+  const struct um_model_result *r = run->result;
+  double sum = 0.0;
+  *most = 0.0;
+  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++)
+    for (size_t p = 0; p < r->nplace; p++) {
+      if (strcmp(r->place[p].name, places[i]) != 0) continue;
+      const struct um_thermal_heat *h = &r->heat[k * r->nplace + p];
+      sum += h->conducted + h->exchanged;
+      *most = fmax(*most, fabs(h->conducted + h->exchanged));
+    }
+  return sum;
+}
+
+/* In the dark. Sheets of an effect are those of the keys, and add to them; what flows within the
+ * satellite comes from somewhere in it, sheets included; the skin is warmer for them, first hardly.
+ */
+static void sheets_give_back(void **state)
+{
+  (void)state;
+#define MLI "parts.bus.mli={effective_emittance: 0.02, areal_heat_capacity_J_m2_K: 60"
+#define DARK                                                                                       \
+  "orbit={fixed: {position_gcrs_km: [-7000, 0, 0]}}", "thermal.start=isothermal",                  \
+      "thermal.orbits_before=0", "time.step_s=5", "time.stop_utc=2020-03-20T12:02:00Z"
+  struct heat_run none = heat_compute(LIST(DARK), NONE, NONE);
+  struct heat_run keys = heat_compute(
+      LIST(DARK, MLI ", sheets: 3, sheets_areal_heat_capacity_J_m2_K: 60}"), NONE, NONE);
+  struct heat_run effect =
+      heat_compute(LIST(DARK), LIST("mli_sheets:bus,areal_heat_capacity_J_m2_K=60,sheets=3"), NONE);
+  struct heat_run both =
+      heat_compute(LIST(DARK, MLI ", sheets: 3, sheets_areal_heat_capacity_J_m2_K: 40}"),
+                   LIST("mli_sheets:bus,areal_heat_capacity_J_m2_K=20"), NONE);
+  assert_true(heat_same_temperatures(&keys, &effect));
+  assert_true(heat_same_temperatures(&keys, &both));
+  double most, first = 0.0, last = 0.0;
+  for (size_t k = 0; k < keys.result->nobs; k++) {
+    double sum = within(&keys, k, &most);
+    if (!(fabs(sum) <= 1e-9 * fmax(most, 1.0))) fail_msg("row %zu: %g W of %g", k, sum, most);
+    last = heat_temperature(&keys, "bus.-x", k) - heat_temperature(&none, "bus.-x", k);
+    if (k == 1) first = last;
+  }
+  print_message("  skin warmer by %.3f K after 5 s, %.3f K after 120 s\n", first, last);
+  assert_true(first > 0.0 && last > 5.0 * first);
+  heat_release(&none);
+  heat_release(&keys);
+  heat_release(&effect);
+  heat_release(&both);
+  char message[512];
+  heat_refused(LIST("parts.bus.mli.sheets=3"), NONE, message, sizeof message);
+  if (strstr(message, "mli.sheets: stands alone") == NULL) fail_msg("'%s'", message);
+  heat_refused(LIST("parts.bus.mli.sheets_areal_heat_capacity_J_m2_K=3"), NONE, message,
+               sizeof message);
+  if (strstr(message, "mli.sheets_areal_heat_capacity_J_m2_K: stands alone") == NULL)
+    fail_msg("'%s'", message);
+}
+
 /* A body that exchanges with nothing else obeys f C dT/dt = q(T): with f = 2 it is at 120 s where
  * it was at 60 s with f = 1. To the integrator's 1e-9 per step. */
 static void heat_capacity_stretches_time(void **state)
@@ -313,6 +372,7 @@ int main(void)
       cmocka_unit_test(stored_heat_dies_away),
       cmocka_unit_test(mli_emittance_scales_the_leak),
       cmocka_unit_test(blankets_have_laws_and_seams),
+      cmocka_unit_test(sheets_give_back),
       cmocka_unit_test(heat_capacity_stretches_time),
       cmocka_unit_test(heat_capacity_acts_on_its_target),
       cmocka_unit_test(interior_capacity_slows_the_interior),

@@ -100,6 +100,35 @@ static void steady_start_is_held(void **state)
   heat_release(&run);
 }
 
+/* A phase says where the cycle is when the repeating orbit is over, which is when the observations
+ * begin; what was before is the mean power. 0.15 of a cycle: 0.3 of the band up, on; 0.9: a fifth
+ * of it above on_K, off. Not stated, an orbit of cycles comes before and decides. */
+static void phase_begins_the_observations(void **state)
+{
+  (void)state;
+#define ORBIT                                                                                      \
+  "orbit={circular: {altitude_km: 600}}", "thermal.start=periodic", "thermal.orbits_before=1",     \
+      "time.step_s=10", "time.stop_utc=2020-03-20T12:20:00Z"
+  static const struct {
+    double phase, share;
+    bool on;
+  } rows[] = {{0.15, 0.3, true}, {0.9, 0.2, false}};
+  for (size_t i = 0; i < 2; i++) {
+    char text[120];
+    snprintf(text, sizeof text, "heater:panel.back,power_W=400,on_K=350,band_K=4,phase=%g",
+             rows[i].phase);
+    struct heat_run run = heat_compute(LIST(ORBIT), LIST(text), NONE);
+    double t = heat_temperature(&run, "panel.back", 0), p = heat_of(&run, "panel", 0)->internal;
+    print_message("  phase %g: %.6f K, %.0f W, then %.4f K\n", rows[i].phase, t, p,
+                  heat_temperature(&run, "panel.back", 1));
+    heat_close("begins", t, 350.0 + 4.0 * rows[i].share, 1e-9);
+    assert_true(p == (rows[i].on ? 400.0 : 0.0));
+    assert_true((heat_temperature(&run, "panel.back", 1) > t) == rows[i].on);
+    assert_true(run.result->audit_error <= 1e-6);
+    heat_release(&run);
+  }
+}
+
 /* Where the place passes on_K the temperature rises in proportion to a small power: while it cools
  * below, the heater is on all the time. */
 static void slope_at_null(void **state)
@@ -152,9 +181,13 @@ static int teardown(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(null_changes_no_bit), cmocka_unit_test(weak_is_simply_on),
-      cmocka_unit_test(holds_in_the_dark),   cmocka_unit_test(steady_start_is_held),
-      cmocka_unit_test(slope_at_null),       cmocka_unit_test(refusals),
+      cmocka_unit_test(null_changes_no_bit),
+      cmocka_unit_test(weak_is_simply_on),
+      cmocka_unit_test(holds_in_the_dark),
+      cmocka_unit_test(steady_start_is_held),
+      cmocka_unit_test(slope_at_null),
+      cmocka_unit_test(phase_begins_the_observations),
+      cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -75,6 +75,61 @@ static void spin_period_keeps_the_phase(void **state)
   case_release(&b);
 }
 
+/* Azimuth of v about an axis, from any fixed direction across it [rad]. */
+static double azimuth(struct um_vec3 v, struct um_vec3 axis)
+{
+  struct um_vec3 a, b;
+  um_core_vec3_frame(axis, &a, &b);
+  return atan2(um_vec3_dot(v, b), um_vec3_dot(v, a));
+}
+
+/* A body of inertia k times as large about its axis as across it, tipped by theta, whose turns in
+ * space and about itself come to one in P: its axis goes about the momentum at
+ * phi' = 2 pi/P / (1 + cos(theta) (1 - k)/k), and in its own axes the momentum goes about the axis
+ * at -psi' = -phi' cos(theta) (1 - k)/k (Goldstein, Poole & Safko 2001, 5.6), which is against the
+ * turn of a long body and with that of a flat one. The shift adds to the scenario's ratio. */
+static void nutation_follows_the_inertia(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *with, *ratio;
+    double k, theta;
+  } rows[] = {{"nutation,tip_deg=5", "attitude.0.spin.inertia_ratio=1", 1.0, 5.0},
+              {"nutation,tip_deg=5,inertia_shift=0.5", "attitude.0.spin.inertia_ratio=1", 1.5, 5.0},
+              {"nutation,tip_deg=3,tip_across_deg=4,inertia_shift=-0.4",
+               "attitude.0.spin.inertia_ratio=1", 0.6, 5.0},
+              {"nutation,tip_across_deg=40,inertia_shift=-0.4", "attitude.0.spin.inertia_ratio=1.3",
+               0.9, 40.0}};
+  const double period = 700.0;
+  const struct um_vec3 axis = um_vec3(0.0, 0.6, 0.8); /* of the body */
+  struct case_run plain = case_with(case_spinner, NULL);
+  struct um_vec3 momentum = um_quat_apply(um_quat_conjugate(sample(&plain, 0).q), axis);
+  case_release(&plain);
+  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    const char *const with[] = {rows[i].with, NULL}, *const set[] = {rows[i].ratio, NULL};
+    struct case_run run = case_compute(case_spinner, with, NULL, set);
+    double k = rows[i].k, theta = rows[i].theta * UM_DEG, own = cos(theta) * (1.0 - k) / k;
+    double phi = 2.0 * UM_PI / period / (1.0 + own), psi = phi * own;
+    double before[2] = {0.0, 0.0};
+    for (size_t r = 0; r < run.tables->nobs; r++) {
+      struct um_quat q = sample(&run, r).q;
+      struct um_vec3 e = um_quat_apply(um_quat_conjugate(q), axis); /* in space */
+      struct um_vec3 m = um_quat_apply(q, momentum);                /* in the body */
+      double now[2] = {azimuth(e, momentum), azimuth(m, axis)}, t = sample(&run, r).t_tai;
+      assert_true(fabs(um_vec3_dot(e, momentum) - cos(theta)) <= 1e-12);
+      if (r > 0) {
+        double dt = t - sample(&run, r - 1).t_tai;
+        double space = remainder(now[0] - before[0] - phi * dt, 2.0 * UM_PI);
+        double body = remainder(now[1] - before[1] + psi * dt, 2.0 * UM_PI);
+        if (!(fabs(space) <= 1e-9 && fabs(body) <= 1e-9))
+          fail_msg("%s: axis off by %g rad, momentum by %g", rows[i].with, space, body);
+      }
+      memcpy(before, now, sizeof before);
+    }
+    case_release(&run);
+  }
+}
+
 /* Free motion with rates r times as fast goes through the same attitudes r times as soon: at the
  * reference time plus t (1 + x), with the period longer by x, the body stands as without it at plus
  * t. The rows of the second run are 1.25 times as far from the reference time. */
@@ -234,6 +289,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(attitude_offset_turns_the_body),
       cmocka_unit_test(spin_period_keeps_the_phase),
+      cmocka_unit_test(nutation_follows_the_inertia),
       cmocka_unit_test(spin_period_slows_a_tumble),
       cmocka_unit_test(time_tag_shows_what_was_before),
       cmocka_unit_test(along_track_moves_the_satellite),

@@ -22,6 +22,7 @@ static const struct entry entries[] = {
     {"mli_emittance", "bus", "bus", 0, 0.25, 3.0},
     {"mli_temperature_law", "bus", "bus", 0, -2.0, 2.0},
     {"mli_seams", "bus", "bus", 0, NAN, 0.2},
+    {"mli_sheets", "bus", "bus", 0, NAN, 150.0},
     {"heat_capacity", "array", "array", 0, 0.8, 1.3},
     {"specific_heat_law", "array", "array", 0, -0.002, 0.002},
     {"solar_absorptance", "white", "mli", 0, -0.06, 0.08},

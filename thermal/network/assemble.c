@@ -48,6 +48,8 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->front, &b->front));
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->back, &b->back));
   UM_TRY(um_core_allocate(context, nfacet, sizeof *b->skin, &b->skin));
+  UM_TRY(um_core_allocate(context, nfacet, sizeof *b->sheet, &b->sheet));
+  UM_TRY(um_core_allocate(context, nfacet, sizeof *b->core, &b->core));
   for (int layer = 0; layer < 2; layer++) {
     UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_node, &b->vertex_node[layer]));
     UM_TRY(um_core_allocate(context, nvertex, sizeof **b->vertex_capacity,
@@ -57,6 +59,8 @@ static enum um_status builder_allocate(struct um_thermal_builder *b)
   fill_none(b->group_front, b->ngroup);
   fill_none(b->group_back, b->ngroup);
   fill_none(b->skin, nfacet);
+  fill_none(b->sheet, nfacet);
+  fill_none(b->core, nfacet);
   for (size_t f = 0; f < nfacet; f++) {
     fill_none(b->front[f], 3);
     fill_none(b->back[f], 3);
@@ -69,7 +73,7 @@ static void builder_free(struct um_thermal_builder *b)
 {
   struct um_context *context = b->context;
   UM_FREE(context, b->part, b->group, b->group_area, b->group_law, b->group_front, b->group_back,
-          b->front, b->back, b->skin, b->first_interior, b->interior, b->behind);
+          b->front, b->back, b->skin, b->sheet, b->core, b->first_interior, b->interior, b->behind);
   for (int layer = 0; layer < 2; layer++) {
     UM_FREE(context, b->vertex_node[layer], b->vertex_capacity[layer]);
   }

@@ -16,15 +16,24 @@ struct um_thermal_bulk_law {
   double capacity_slope; /* of the capacity beside that, per K from 300 K [1/K]; 0: none */
 };
 
+/* Nodes in the thickness of a wall of two layers, front to back. */
+struct um_thermal_core {
+  size_t n;
+  double *capacity;   /* [n] of each, share of the wall's [1] */
+  double *resistance; /* [n + 1] from the front layer to the first, ..., from the last to the back
+                         layer, share of the whole [1]; sum 1 */
+};
+
 /* A wall: thin sheet with two faces. Capacities are per face node layer.
  * rho c t dT/dt = div(k t grad T) + loads + through (T_other - T). A wall has two layers where both
  * sides radiate: the back of an open part, the inside of a closed one that radiates inside. */
 struct um_thermal_shell {
   double areal_heat_capacity; /* of the whole wall [J/m^2/K] */
   double front_share;         /* of it on the front layer [1], default 0.5 (1 when one layer) */
-  double conductance;         /* k t of the whole wall, in plane [W/K]; split like the capacity */
-  double through_conductance; /* between the layers [W/m^2/K]; INFINITY: one layer */
-  struct um_thermal_bulk_law law; /* of capacity and in-plane conductance */
+  double conductance; /* k t of the whole wall, in plane [W/K]; split like the layers' capacity */
+  double through_conductance;         /* between the layers [W/m^2/K]; INFINITY: one layer */
+  const struct um_thermal_core *core; /* what lies between them; outlives the body; NULL: nothing */
+  struct um_thermal_bulk_law law;     /* of capacity and in-plane conductance */
 };
 /* MLI on the outside of a wall, or of an interior when mounted on none: a skin node per facet of
  * areal capacity, coupled to what it wraps by e* sigma (T^4 - T^4), or as a law has it, and through
@@ -38,6 +47,10 @@ struct um_thermal_mli {
   double conducted;        /* share of e* at 300 K that spacers conduct, under a law [1] */
   double exponent;         /* e* is times (T_m / 300 K)^exponent beside that; 0: it is not */
   double seam_conductance; /* over the blanket's area [W/m^2/K] */
+  /* Sheets under the outer layer that store heat, alike, in a row; e* is shared evenly by the gaps
+   * on the way in, one more than sheets. 0: the outer layer alone stores heat. */
+  size_t sheets;
+  double sheet_heat_capacity; /* of all of them [J/m^2/K] */
 };
 /* Heat of a place over time: linear between rows, equal times are jumps, 0 outside. */
 struct um_thermal_power_history {
@@ -68,6 +81,7 @@ struct um_thermal_heater {
                         "interior" or the name of another; as in contacts */
   double power;      /* [W] */
   double on, off;    /* [K] */
+  double phase;      /* where in its cycle a run begins, as there [1]; 0: not stated */
 };
 #define UM_THERMAL_HEATERS_MAX 16 /* of one part */
 struct um_thermal_group_spec {
@@ -132,14 +146,17 @@ struct um_thermal_contact {
 };
 
 /* Names of places to report: parts, sides, groups, interiors; see place.c. A surface place is what
- * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it.
+ * radiates (the skin where there is MLI); "part.wall" and "part.group.wall" are what lies under it,
+ * "part.sheets" and "part.group.sheets" the sheets of MLI between, "part.core" and
+ * "part.group.core" what lies between the layers of a wall.
  */
 enum um_thermal_place_kind {
   UM_PLACE_PART,       /* all surfaces of a part */
   UM_PLACE_SIDE,       /* its fronts or backs */
-  UM_PLACE_WALL,       /* all walls under MLI, or all inner layers that radiate inside */
+  UM_PLACE_WALL,       /* all walls under MLI, inner layers that radiate inside, sheets of MLI, or
+                          what lies between the layers */
   UM_PLACE_GROUP,      /* surfaces of one group and side */
-  UM_PLACE_GROUP_WALL, /* its wall under MLI, or its inner layer */
+  UM_PLACE_GROUP_WALL, /* its wall under MLI, its inner layer, the sheets of its MLI, its core */
   UM_PLACE_INTERIOR
 };
 struct um_thermal_place {

@@ -81,7 +81,11 @@ static enum um_status check_group(const struct um_thermal_builder *b,
       {"areal heat capacity of the MLI", "J/m2/K", g->mli->areal_heat_capacity, 0.0, huge},
       {"conducted share of the MLI", "", g->mli->conducted, 0.0, 1.0},
       {"exponent of the MLI's effective emittance", "", g->mli->exponent, -10.0, 10.0},
-      {"seam conductance of the MLI", "W/m2/K", g->mli->seam_conductance, 0.0, huge}};
+      {"seam conductance of the MLI", "W/m2/K", g->mli->seam_conductance, 0.0, huge},
+      {"heat capacity of the MLI's sheets", "J/m2/K", g->mli->sheet_heat_capacity, 0.0, huge},
+      {"effective emittance of a gap of the MLI, that of the MLI times its gaps,", "",
+       (1.0 + (double)g->mli->sheets) * g->mli->effective_emittance, 0.0,
+       g->mli->sheets == 0 ? huge : 1.0}};
   UM_TRY(check_ranges(b->context, part, group->name, m, COUNT(m)));
   const char *why = NULL;
   if (spec->kind == UM_THERMAL_NODES)

@@ -32,6 +32,10 @@ struct um_thermal_builder {
    * is one layer); UM_THERMAL_SPACE where the wall is left out. [nfacet] */
   uint32_t (*front)[3], (*back)[3];
   uint32_t *skin;         /* [nfacet] MLI node over the front; UM_THERMAL_SPACE none */
+  uint32_t *sheet;        /* [nfacet] the outer one of the sheets under it, the others next to it;
+                             UM_THERMAL_SPACE none */
+  uint32_t *core;         /* [nfacet] first node of what lies between its layers, the others next to
+                             it; UM_THERMAL_SPACE none */
   size_t *first_interior; /* [npart + 1] where a part's interiors begin */
   uint32_t *interior; /* [first_interior[npart]] their nodes, of solids the first; UM_THERMAL_SPACE:
                          not yet */
@@ -55,6 +59,18 @@ const struct um_thermal_shell *um_thermal_builder_shell(const struct um_thermal_
 bool um_thermal_builder_radiates_inside(const struct um_thermal_builder *b, size_t facet);
 /* A facet has two layers: a surface on both sides and a finite conductance through the wall. */
 bool um_thermal_builder_two_layers(const struct um_thermal_builder *b, size_t facet);
+/* What lies between the layers of a group's wall: number of nodes in a row, share of its capacity.
+ */
+size_t um_thermal_core_nodes(const struct um_thermal_builder *b, uint32_t group);
+double um_thermal_core_share(const struct um_thermal_builder *b, uint32_t group);
+/* Join front and back of `area` [m^2] of a wall of two layers, `through` [W/K] in all, by what lies
+ * between. name: of the wall, or NULL. first, where not NULL: the first node, or UM_THERMAL_SPACE.
+ */
+enum um_status um_thermal_core_join(struct um_thermal_builder *b, uint32_t group, const char *name,
+                                    uint32_t front, uint32_t back, double area, double through,
+                                    uint32_t *first);
+/* A wall in a row of nodes needs two layers. */
+enum um_status um_thermal_core_check(const struct um_thermal_builder *b, size_t facet);
 bool um_thermal_builder_wall_left_out(const struct um_thermal_builder *b, uint32_t group);
 /* Nodes of the interiors of a part, in the order of its spec. */
 const uint32_t *um_thermal_builder_interiors(const struct um_thermal_builder *b, size_t part);

@@ -149,7 +149,8 @@ static enum um_status heater_add(const struct um_thermal_builder *b, size_t part
                                                    .nnode = share.n,
                                                    .power = heater->power,
                                                    .on = heater->on,
-                                                   .off = heater->off};
+                                                   .off = heater->off,
+                                                   .phase = heater->phase};
   status = um_thermal_network_thermostat_add(b->network, &thermostat);
   if (status == UM_ERR_INPUT)
     um_core_message_prefix(b->context, "%s%s%s", place_label(b, &where, label, sizeof label),

@@ -31,13 +31,15 @@ static bool group_two_layers(const struct um_thermal_builder *b, uint32_t group)
   return false;
 }
 
-static enum um_status assemble_group(struct um_thermal_builder *b, size_t part, uint32_t group)
+static enum um_status assemble_group(struct um_thermal_builder *b, size_t part, uint32_t group,
+                                     uint32_t *core)
 {
   const struct um_thermal_shell *shell = um_thermal_builder_shell(b, group);
   double area = b->group_area[group], start = b->part[part]->start_temperature;
   double capacity = shell->areal_heat_capacity * area; /* [J/K] */
   bool two = group_two_layers(b, group);
   double share = two ? shell->front_share : 1.0;
+  double back = 1.0 - share - um_thermal_core_share(b, group);
   char name[NAME_SIZE];
   node_name(b, part, group, two, false, name);
   UM_TRY(um_thermal_builder_node(b, name, capacity * share, start, 0.0, &b->group_front[group]));
@@ -46,24 +48,27 @@ static enum um_status assemble_group(struct um_thermal_builder *b, size_t part, 
       um_thermal_bulk_capacity(b, &b->group_law[group], b->group_front[group], capacity * share));
   if (!two) return UM_OK;
   node_name(b, part, group, two, true, name);
-  UM_TRY(um_thermal_builder_node(b, name, capacity * (1.0 - share), start, 0.0,
-                                 &b->group_back[group]));
-  UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->group_back[group],
-                                  capacity * (1.0 - share)));
-  if (!(shell->through_conductance > 0.0)) return UM_OK;
-  return um_thermal_network_conductor_add(b->network, b->group_front[group], b->group_back[group],
-                                          shell->through_conductance * area);
+  UM_TRY(um_thermal_builder_node(b, name, capacity * back, start, 0.0, &b->group_back[group]));
+  UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->group_back[group], capacity * back));
+  node_name(b, part, group, two, false, name);
+  return um_thermal_core_join(b, group, name, b->group_front[group], b->group_back[group], area,
+                              shell->through_conductance * area, core);
 }
 
 enum um_status um_thermal_lump_assemble(struct um_thermal_builder *b, size_t part)
 {
   const struct um_thermal_part_spec *spec = b->part[part];
-  for (size_t g = 0; g < spec->ngroup; g++)
-    if (!um_thermal_builder_wall_left_out(b, spec->groups[g].group))
-      UM_TRY(assemble_group(b, part, spec->groups[g].group));
+  for (size_t g = 0; g < spec->ngroup; g++) {
+    uint32_t group = spec->groups[g].group, core = UM_THERMAL_SPACE;
+    if (um_thermal_builder_wall_left_out(b, group)) continue;
+    UM_TRY(assemble_group(b, part, group, &core));
+    for (size_t f = 0; f < b->mesh->nfacet; f++)
+      if (b->mesh->facet_group[f] == group) b->core[f] = core;
+  }
   for (size_t f = 0; f < b->mesh->nfacet; f++) {
     if (b->mesh->facet_part[f] != part) continue;
     uint32_t group = b->mesh->facet_group[f];
+    if (!um_thermal_builder_wall_left_out(b, group)) UM_TRY(um_thermal_core_check(b, f));
     for (int c = 0; c < 3; c++) {
       b->front[f][c] = b->group_front[group];
       b->back[f][c] = b->group_back[group];

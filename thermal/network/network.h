@@ -69,7 +69,9 @@ enum um_thermal_thermostat_start {
 
 /* A heater with hysteresis: releases `power` over nodes, is switched on when the mean over its
  * sensor nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on
- * whose sensor is below the middle of the two. Steady and periodic solutions take its mean power,
+ * whose sensor is below the middle of the two, or, where the sensor lies between them and a phase
+ * is stated, there in the cycle: all sensor nodes are moved by what the sensor then lacks, and the
+ * phase decides whether it is on. Steady and periodic solutions take its mean power,
  * which falls from full to nothing around the middle (see system_heat.c); where a heater of that
  * power cannot hold the middle it is simply on. */
 struct um_thermal_thermostat {
@@ -82,11 +84,18 @@ struct um_thermal_thermostat {
   double power;   /* [W] */
   double on, off; /* [K] */
   enum um_thermal_thermostat_start start;
+  /* Where in its cycle a run begins [1]: below 0.5 it is on and the sensor has passed twice that
+   * share of the way from `on` to `off`, from 0.5 it is off and on the way back; 1 is that of 0. 0:
+   * not stated. */
+  double phase;
 };
-/* Copies. UM_ERR_INPUT as above, nodes that are not diffusive, and thresholds out of order. */
+/* Copies. UM_ERR_INPUT as above, nodes that are not diffusive, thresholds out of order,
+ * a phase outside 0 to 1. */
 enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *network,
                                                  const struct um_thermal_thermostat *thermostat);
 size_t um_thermal_network_thermostats(const struct um_thermal_network *network);
+/* True where none of them lacks a phase. */
+bool um_thermal_network_phases_stated(const struct um_thermal_network *network);
 
 /* Linear conductance K [W/K]; finite elements may add negative ones. */
 enum um_status um_thermal_network_conductor_add(struct um_thermal_network *network, uint32_t a,

@@ -28,7 +28,8 @@ static bool heat_equal(const struct um_thermal_network *a, const struct um_therm
   for (size_t k = 0; k < a->nthermostat; k++) {
     const struct um_thermal_network_thermostat *x = &a->thermostat[k], *y = &b->thermostat[k];
     if (x->power != y->power || x->on != y->on || x->off != y->off || x->start != y->start ||
-        !spreads_equal(&x->at, &y->at) || !spreads_equal(&x->sensor, &y->sensor))
+        x->phase != y->phase || !spreads_equal(&x->at, &y->at) ||
+        !spreads_equal(&x->sensor, &y->sensor))
       return false;
   }
   return true;

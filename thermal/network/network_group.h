@@ -34,6 +34,7 @@ struct um_thermal_network_thermostat {
   struct um_thermal_spread at, sensor;
   double power, on, off; /* [W], [K], [K] */
   enum um_thermal_thermostat_start start;
+  double phase; /* [1], 0: not stated */
 };
 
 /* What of a node's capacity goes with temperature. */

@@ -104,11 +104,13 @@ enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *netw
     return um_core_fail(context, UM_ERR_INPUT,
                         "thermostat: on at %g K, off at %g K; accepted: off above on, 0 or more",
                         t.on, t.off);
+  if (!(t.phase >= 0.0 && t.phase <= 1.0))
+    return um_core_fail(context, UM_ERR_INPUT, "thermostat: phase %g; accepted: 0 to 1", t.phase);
   UM_TRY(um_core_reallocate(context, network->nthermostat + 1, sizeof *network->thermostat,
                             &network->thermostat));
   struct um_thermal_network_thermostat *to = &network->thermostat[network->nthermostat++];
   *to = (struct um_thermal_network_thermostat){
-      .power = t.power, .on = t.on, .off = t.off, .start = t.start};
+      .power = t.power, .on = t.on, .off = t.off, .start = t.start, .phase = t.phase};
   UM_TRY(spread_copy(context, t.node, t.weight, t.nnode, &to->at));
   return spread_copy(context, t.sensor, t.sensor_weight, t.nsensor, &to->sensor);
 }
@@ -116,4 +118,11 @@ enum um_status um_thermal_network_thermostat_add(struct um_thermal_network *netw
 size_t um_thermal_network_thermostats(const struct um_thermal_network *network)
 {
   return network->nthermostat;
+}
+
+bool um_thermal_network_phases_stated(const struct um_thermal_network *network)
+{
+  for (size_t k = 0; k < network->nthermostat; k++)
+    if (!(network->thermostat[k].phase > 0.0)) return false;
+  return true;
 }

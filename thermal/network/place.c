@@ -3,7 +3,9 @@
  *   part, part.front, part.back   the radiating surfaces, area weighted (MLI where there is MLI)
  *   part.group, part.group.back   the same of one group and side
  *   part.wall, part.group.wall    the wall under MLI, where there is one
+ *   part.sheets, part.group.sheets  the sheets of MLI under its outer layer, where they store heat
  *   part.inside, part.group.inside  the inner layer of a wall that radiates inside and has one
+ *   part.core, part.group.core    what lies between the layers of a wall, where it has nodes
  *   part.NAME                     the interior of that name */
 #include "thermal/network/builder_impl.h"
 
@@ -47,6 +49,8 @@ struct selection {
   int side;             /* 0 front, 1 back, -1 both */
   bool wall;            /* the wall under MLI instead of the surfaces */
   bool inside;          /* the inner layer, where it radiates inside */
+  bool sheets;          /* the sheets of MLI */
+  bool core;            /* what lies between the layers of a wall */
   size_t from, to;      /* surfaces of the part, which stand together */
 };
 
@@ -68,6 +72,16 @@ static void put(double *area, struct reach *reach, uint32_t node, double a)
   if (node >= reach->high) reach->high = (size_t)node + 1;
 }
 
+/* A facet has rows of nodes at its corners, a lump one for all of them. */
+static void put_core(const struct um_thermal_builder *b, size_t facet, double *area,
+                     struct reach *reach)
+{
+  size_t n = um_thermal_core_nodes(b, b->mesh->facet_group[facet]);
+  if (b->part[b->mesh->facet_part[facet]]->kind != UM_THERMAL_LUMPED) n *= 3;
+  for (uint32_t k = 0; k < n; k++)
+    put(area, reach, b->core[facet] + k, b->mesh->area[facet] / (double)n);
+}
+
 /* Area [m^2] on every node; returns the sum. */
 static double accumulate(const struct um_thermal_builder *b, const struct selection *w,
                          double *area, struct reach *reach)
@@ -76,7 +90,15 @@ static double accumulate(const struct um_thermal_builder *b, const struct select
   for (size_t s = w->from; s < w->to; s++) {
     const struct um_geometry_surface *g = &b->mesh->surface[s];
     if (!selected(w, g->part, g->group, g->back)) continue;
-    if (w->inside) {
+    if (w->core) {
+      if (b->core[g->facet] == UM_THERMAL_SPACE || g->back != 0) continue;
+      put_core(b, g->facet, area, reach);
+    } else if (w->sheets) {
+      size_t n = b->group[g->group]->mli == NULL ? 0 : b->group[g->group]->mli->sheets;
+      if (g->back != 0 || n == 0) continue;
+      for (uint32_t k = 0; k < n; k++)
+        put(area, reach, b->sheet[g->facet] + k, b->mesh->area[g->facet] / (double)n);
+    } else if (w->inside) {
       if (!um_thermal_builder_radiates_inside(b, g->facet) ||
           !um_thermal_builder_two_layers(b, g->facet))
         continue;
@@ -217,6 +239,10 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
   UM_TRY(place_add(b, body, &w, area, NULL, ".wall"));
   w.inside = true;
   UM_TRY(place_add(b, body, &w, area, NULL, ".inside"));
+  w.sheets = true;
+  UM_TRY(place_add(b, body, &w, area, NULL, ".sheets"));
+  w.core = true;
+  UM_TRY(place_add(b, body, &w, area, NULL, ".core"));
   for (uint32_t g = 0; g < b->ngroup; g++) {
     const struct um_geometry_group *group = um_geometry_group(b->geometry, g);
     if (group->part != part) continue;
@@ -229,6 +255,10 @@ static enum um_status places_of_part(const struct um_thermal_builder *b,
     UM_TRY(place_add(b, body, &w, area, group->name, ".wall"));
     w.inside = true;
     UM_TRY(place_add(b, body, &w, area, group->name, ".inside"));
+    w.sheets = true;
+    UM_TRY(place_add(b, body, &w, area, group->name, ".sheets"));
+    w.core = true;
+    UM_TRY(place_add(b, body, &w, area, group->name, ".core"));
   }
   return places_of_interiors(b, body, part, area);
 }

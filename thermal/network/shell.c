@@ -30,12 +30,18 @@ static double front_share(const struct um_thermal_builder *b, size_t facet)
 double um_thermal_shell_in_plane(const struct um_thermal_builder *b, size_t facet, bool back)
 {
   uint32_t group = b->mesh->facet_group[facet];
-  double share = front_share(b, facet);
+  double share = front_share(b, facet) / (1.0 - um_thermal_core_share(b, group));
   if (b->part[b->mesh->facet_part[facet]]->kind != UM_THERMAL_SHELL ||
       um_thermal_builder_wall_left_out(b, group))
     return 0.0;
   if (back && um_thermal_builder_two_layers(b, facet)) share = 1.0 - share;
   return share * um_thermal_builder_shell(b, group)->conductance;
+}
+
+/* Share of the inner layer in the capacity. */
+static double back_share(const struct um_thermal_builder *b, size_t facet)
+{
+  return 1.0 - front_share(b, facet) - um_thermal_core_share(b, b->mesh->facet_group[facet]);
 }
 
 static bool has_wall(const struct um_thermal_builder *b, size_t facet, size_t part)
@@ -55,7 +61,7 @@ static void collect(struct um_thermal_builder *b, size_t facet)
     uint32_t v = b->mesh->corner[facet][c];
     for (int layer = 0; layer < layers; layer++) {
       b->vertex_node[layer][v] = 0;
-      b->vertex_capacity[layer][v] += third * (layer == 0 ? share : 1.0 - share);
+      b->vertex_capacity[layer][v] += third * (layer == 0 ? share : back_share(b, facet));
     }
   }
 }
@@ -101,7 +107,7 @@ static enum um_status capacity_follow(struct um_thermal_builder *b, size_t facet
     UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->front[facet][c], third * share));
     if (two)
       UM_TRY(um_thermal_bulk_capacity(b, &b->group_law[group], b->back[facet][c],
-                                      third * (1.0 - share)));
+                                      third * back_share(b, facet)));
   }
   return UM_OK;
 }
@@ -112,6 +118,7 @@ static enum um_status conduct(struct um_thermal_builder *b, size_t facet)
   const uint32_t *v = b->mesh->corner[facet];
   struct um_vec3 corner[3] = {b->pose->vertex[v[0]], b->pose->vertex[v[1]], b->pose->vertex[v[2]]};
   double k[3], share = front_share(b, facet);
+  share /= 1.0 - um_thermal_core_share(b, b->mesh->facet_group[facet]);
   um_thermal_shell_element(corner, shell->conductance, k);
   const struct um_thermal_bulk_index *law = &b->group_law[b->mesh->facet_group[facet]];
   bool two = um_thermal_builder_two_layers(b, facet);
@@ -123,10 +130,11 @@ static enum um_status conduct(struct um_thermal_builder *b, size_t facet)
                                        (1.0 - share) * k[e]));
   }
   /* through the wall: U A / 3 at each corner */
-  for (int c = 0; c < 3 && two && shell->through_conductance > 0.0; c++)
-    UM_TRY(
-        um_thermal_network_conductor_add(b->network, b->front[facet][c], b->back[facet][c],
-                                         shell->through_conductance * b->mesh->area[facet] / 3.0));
+  for (int c = 0; c < 3 && two; c++)
+    UM_TRY(um_thermal_core_join(b, b->mesh->facet_group[facet], NULL, b->front[facet][c],
+                                b->back[facet][c], b->mesh->area[facet] / 3.0,
+                                shell->through_conductance * b->mesh->area[facet] / 3.0,
+                                c == 0 ? &b->core[facet] : NULL));
   return UM_OK;
 }
 
@@ -135,6 +143,7 @@ enum um_status um_thermal_shell_assemble(struct um_thermal_builder *b, size_t pa
   UM_TRY(make_nodes(b, part));
   for (size_t f = 0; f < b->mesh->nfacet; f++)
     if (has_wall(b, f, part)) {
+      UM_TRY(um_thermal_core_check(b, f));
       UM_TRY(capacity_follow(b, f));
       UM_TRY(conduct(b, f));
     }

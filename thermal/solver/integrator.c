@@ -72,7 +72,8 @@ enum um_status um_thermal_integrator_start(struct um_thermal_integrator *integra
   um_thermal_system_thermostats_set(system, true);
   double *y = N_VGetArrayPointer(integrator->y);
   for (size_t k = 0; k < system->nunknown; k++)
-    y[k] = um_thermal_system_unknown_of(system, system->node[k], temperature[system->node[k]]);
+    y[k] =
+        um_thermal_system_unknown_of(system, system->node[k], system->temperature[system->node[k]]);
   N_VConst(system->options.no_audit ? NAN : 0.0, integrator->quadrature);
   integrator->content_before = um_thermal_system_content(system, y);
   integrator->t = 0.0;

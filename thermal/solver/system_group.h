@@ -288,7 +288,8 @@ void um_thermal_system_heat_make(struct um_thermal_system *system, double t);
 double um_thermal_source_power(const struct um_thermal_network_source *source, double t);
 double um_thermal_thermostat_sensor(const struct um_thermal_network_thermostat *thermostat,
                                     const double *temperature);
-/* Switch by the temperatures of the state: at the start by the middle of the band, later where a
+/* Switch by the temperatures of the state: at the start by the middle of the band, or, in a run, by
+ * the phase that is stated, to which system->temperature of its sensor moves; later where a
  * threshold is passed. */
 void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool start);
 

@@ -194,13 +194,31 @@ static bool begins_on(const struct um_thermal_network_thermostat *thermostat, do
   return t < 0.5 * (thermostat->on + thermostat->off);
 }
 
+/* Half of a cycle goes up through the band, on, and half comes down. It has switched where it
+ * stands at a threshold. */
+static void phase_set(struct um_thermal_system *system, struct um_thermal_system_thermostat *own,
+                      double t)
+{
+  const struct um_thermal_network_thermostat *thermostat = own->thermostat;
+  double band = thermostat->off - thermostat->on;
+  double phase = thermostat->phase < 1.0 ? thermostat->phase : 0.0;
+  own->on = phase < 0.5;
+  double wanted = thermostat->on + 2.0 * band * (own->on ? phase : 1.0 - phase);
+  for (size_t j = 0; j < thermostat->sensor.n; j++)
+    if (thermostat->sensor.weight[j] > 0.0)
+      system->temperature[thermostat->sensor.node[j]] += wanted - t;
+}
+
 void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool start)
 {
   for (size_t k = 0; k < system->nthermostat; k++) {
     struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_network_thermostat *thermostat = own->thermostat;
     double t = um_thermal_thermostat_sensor(thermostat, system->temperature);
-    if (start)
+    bool inside = t > thermostat->on && t < thermostat->off;
+    if (start && system->kind == UM_SYSTEM_RUN && inside && thermostat->phase > 0.0)
+      phase_set(system, own, t);
+    else if (start)
       own->on = begins_on(thermostat, t);
     else if (own->on ? t >= thermostat->off : t <= thermostat->on)
       own->on = !own->on;

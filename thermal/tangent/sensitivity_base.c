@@ -84,9 +84,11 @@ enum um_status um_thermal_base_start(struct um_thermal_base *base, const double 
 {
   const struct um_thermal_system *system = base->system;
   UM_TRY(um_thermal_integrator_start(base->integrator, temperature, NULL));
+  /* a thermostat's phase moves the start */
+  const double *begins = system->nthermostat > 0 ? system->temperature : temperature;
   for (size_t k = 0; k < system->nunknown; k++)
     base->last.y[k] =
-        um_thermal_system_unknown_of(system, system->node[k], temperature[system->node[k]]);
+        um_thermal_system_unknown_of(system, system->node[k], begins[system->node[k]]);
   return stretch_begin(base, base->last.y);
 }
 

@@ -76,6 +76,48 @@ static void blanket_has_seams(void **state)
   heat_release(&run);
 }
 
+static double node_capacity(const struct heat_run *run, const char *name)
+{
+  const struct um_thermal_network *network = run->model->body->network;
+  size_t i = um_thermal_network_find(network, name);
+  if (i == (size_t)-1) fail_msg("no node is called '%s'", name);
+  return um_thermal_network_capacity(network, (uint32_t)i);
+}
+
+/* 1 mm of bare aluminium as one cell (2700 x 896 x 0.001 = 2419.2 J/m2/K) before 20 mm of
+ * foam as two of 10 mm, 50 x 1400 x 0.01 = 700: the front has 1209.6, the node between both 1209.6
+ * + 350, the one in the foam 700, the back 350, of 2 m2. The steady flow crosses 1 mm/167 + 20
+ * mm/0.03, 1.4999866 W/m2/K. */
+static void layers_are_cells(void **state)
+{
+  (void)state;
+#define FOAM "density_kg_m3: 50, specific_heat_J_kg_K: 1400, conductivity_W_m_K: 0.03"
+  struct heat_run run = heat_compute(
+      LIST("parts.panel.shell={layers: [{material: aluminium_bare, thickness_mm: 1, cells: 1}, "
+           "{thickness_mm: 20, " FOAM "}]}"),
+      NONE, NONE);
+  static const struct {
+    const char *node;
+    double capacity;
+  } nodes[] = {{"panel.front", 1209.6},
+               {"panel.front.core1", 1559.6},
+               {"panel.front.core2", 700.0},
+               {"panel.back", 350.0}};
+  for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++)
+    heat_close(nodes[i].node, node_capacity(&run, nodes[i].node), 2.0 * nodes[i].capacity, 1e-12);
+  double front = heat_temperature(&run, "panel.front", 0);
+  double back = heat_temperature(&run, "panel.back", 0);
+  struct heat_budget side = heat_budget(&run, "panel", true);
+  double to_bus = 2.0 * (back - heat_temperature(&run, "bus.+x.wall", 0));
+  heat_close("flow", 2.0 / (0.001 / 167.0 + 0.02 / 0.03) * (front - back),
+             side.emitted - side.absorbed + to_bus, 1e-5);
+  /* half of the foam lies on each side of its node */
+  double between = back + 0.01 / 0.03 / (0.001 / 167.0 + 0.02 / 0.03) * (front - back);
+  double metal = back + 0.02 / 0.03 / (0.001 / 167.0 + 0.02 / 0.03) * (front - back);
+  heat_close("core", heat_temperature(&run, "panel.core", 0), 0.5 * (between + metal), 1e-8);
+  heat_release(&run);
+}
+
 static void refused(void **state)
 {
   (void)state;
@@ -89,6 +131,14 @@ static void refused(void **state)
       {"parts.panel.shell={honeycomb: {material: aluminium_bare, face_mm: 0.3, core_mm: 20, "
        "core_density_kg_m3: 3200}}",
        "3200 is not below that of the foil, 2700"},
+      {"parts.panel.shell={layers: [{thickness_mm: 1, density_kg_m3: 2700}]}",
+       "layers.0: density, specific heat or conductivity is missing"},
+      {"parts.panel.shell={layers: [{thickness_mm: 1, material: aluminium_bar}]}",
+       "no material is called 'aluminium_bar'"},
+      {"parts.panel.shell={thickness_mm: 2, layers: [{thickness_mm: 1, material: aluminium_bare}]}",
+       "excludes layers"},
+      {"parts.bus.shell={layers: [{thickness_mm: 1, material: aluminium_bare}]}",
+       "whose back meets nothing"},
       {"parts.panel.shell={thickness_mm: 1, honeycomb: {" PANEL "}}", "excludes honeycomb"}};
   for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
     char message[512];
@@ -188,9 +238,13 @@ static int teardown(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(panel_is_its_wall), cmocka_unit_test(core_conducts),
-      cmocka_unit_test(blanket_has_seams), cmocka_unit_test(refused),
-      cmocka_unit_test(pipes_even_out),    cmocka_unit_test(records_hold_somewhere),
+      cmocka_unit_test(panel_is_its_wall),
+      cmocka_unit_test(core_conducts),
+      cmocka_unit_test(layers_are_cells),
+      cmocka_unit_test(blanket_has_seams),
+      cmocka_unit_test(refused),
+      cmocka_unit_test(pipes_even_out),
+      cmocka_unit_test(records_hold_somewhere),
   };
   return cmocka_run_group_tests(tests, setup, teardown);
 }

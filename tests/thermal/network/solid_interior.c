@@ -82,7 +82,7 @@ static void bus(struct help_satellite *s, double conductivity, enum um_thermal_p
   struct um_thermal_interior_spec *inside = help_interior(s, p, "interior", 5e4, 30.0);
   inside->power = POWER;
   inside->conductivity = conductivity;
-  s->spec[p].heater[0] = (struct um_thermal_heater){"interior", 20.0, 400.0, 401.0};
+  s->spec[p].heater[0] = (struct um_thermal_heater){"interior", 20.0, 400.0, 401.0, 0.0};
   s->spec[p].nheater = 1;
   size_t m = help_part(s, "mast", UM_SHAPE_BOX, NULL);
   s->shape[m].size[1] = s->shape[m].size[2] = 0.1;

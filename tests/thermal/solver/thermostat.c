@@ -120,6 +120,46 @@ static void test_given_phase(void **state)
   }
 }
 
+/* A stated phase puts the sensor there in the band, from wherever in it the run starts: 0.1 of a
+ * cycle is a fifth of the way up, on; 0.8 three fifths of the way down, off; 0.5 and 1 are the
+ * instants of switching, off and on. The two exponentials lead on from there through the first
+ * switching; what the phase adds to the start is no heat of the run. Outside of the band the sensor
+ * decides. */
+static void test_phase(void **state)
+{
+  (void)state;
+  static const struct {
+    double start, phase, begin;
+    bool on;
+  } rows[] = {{229.7, 0.1, ON + 0.2 * (OFF - ON), true},
+              {230.5, 0.8, ON + 0.4 * (OFF - ON), false},
+              {229.2, 0.5, OFF, false},
+              {230.5, 1.0, ON, true},
+              {228.0, 0.8, 228.0, true},
+              {233.0, 0.2, 233.0, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+    uint32_t node;
+    struct um_thermal_solve_options options = help_options(1e-10, 1e-8, 0.0);
+    struct um_thermal_history *history = NULL;
+    struct um_thermal_network *network = heated(rows[k].start, P, &node);
+    network->thermostat[0].phase = rows[k].phase;
+    double towards = T_B + (rows[k].on ? P / G : 0.0), turns = rows[k].on ? OFF : ON;
+    double first = TAU * log((rows[k].begin - towards) / (turns - towards)); /* it switches */
+    double after = T_B + (rows[k].on ? 0.0 : P / G);
+    const double t[3] = {0.0, 0.5 * first, first + 20.0};
+    OK(um_thermal_solve(help_context, network, NULL, &options, NULL, 0.0, t, 3, &history));
+    NEAR("begins", history->temperature[node], rows[k].begin, 1e-12);
+    NEAR("before it switches", history->temperature[2 + node],
+         towards + (rows[k].begin - towards) * exp(-0.5 * first / TAU), 1e-5);
+    NEAR("after it switched", history->temperature[4 + node],
+         after + (turns - after) * exp(-20.0 / TAU), 1e-5);
+    assert_int_equal(history->heating[2], !rows[k].on);
+    if (!(history->audit_error <= 1e-6)) fail_msg("audit %g", history->audit_error);
+    um_thermal_history_destroy(help_context, &history);
+    um_thermal_network_destroy(&network);
+  }
+}
+
 static void test_goes_on(void **state)
 {
   (void)state;
@@ -185,7 +225,7 @@ static void test_remote_sensor(void **state)
   OK(um_thermal_network_conductor_add(network, sensor, help_boundary(network, T_B), G));
   const double weight = 1.0;
   const struct um_thermal_thermostat thermostat = {
-      &heater, &weight, 1, &sensor, &weight, 1, 100.0, ON, OFF, UM_THERMOSTAT_BY_SENSOR};
+      &heater, &weight, 1, &sensor, &weight, 1, 100.0, ON, OFF, UM_THERMOSTAT_BY_SENSOR, 0.0};
   OK(um_thermal_network_thermostat_add(network, &thermostat));
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
@@ -321,6 +361,11 @@ static void test_refused(void **state)
   assert_non_null(strstr(um_core_message(help_context), "on at 229 K, off at 229 K"));
   um_core_message_clear(help_context);
   t.off = OFF;
+  t.phase = 1.5;
+  assert_int_equal(um_thermal_network_thermostat_add(network, &t), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(help_context), "phase 1.5; accepted: 0 to 1"));
+  um_core_message_clear(help_context);
+  t.phase = 0.0;
   t.power = -1.0;
   assert_int_equal(um_thermal_network_thermostat_add(network, &t), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(help_context), "power -1 W"));
@@ -331,11 +376,12 @@ static void test_refused(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_cycle),         cmocka_unit_test(test_start),
-      cmocka_unit_test(test_given_phase),   cmocka_unit_test(test_goes_on),
-      cmocka_unit_test(test_weak),          cmocka_unit_test(test_twins),
-      cmocka_unit_test(test_remote_sensor), cmocka_unit_test(test_steady),
-      cmocka_unit_test(test_periodic),      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_cycle),       cmocka_unit_test(test_start),
+      cmocka_unit_test(test_given_phase), cmocka_unit_test(test_phase),
+      cmocka_unit_test(test_goes_on),     cmocka_unit_test(test_weak),
+      cmocka_unit_test(test_twins),       cmocka_unit_test(test_remote_sensor),
+      cmocka_unit_test(test_steady),      cmocka_unit_test(test_periodic),
+      cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
