@@ -1,13 +1,13 @@
 /* Reflectances of the scenes, by doubling and adding (scatter_layer.c).
  *
  * Sea and land (daylight_ground.c) and snow, a layer of the phase function of cloud that lets
- * nothing through, lie under air of one atmosphere with aerosol of depth 0.1 (as sky_light.c has
- * both); above all stand 300 DU of ozone. Cloud: layers that absorb nothing, Henyey & Greenstein's
- * of asymmetry 0.85 (of drops: Hu & Stamnes 1993, J. Climate 6:728), over Lambert ground of 0.1,
- * under 0.58 of the air (tops at 583 hPa: Rossow & Schiffer 1999, Bull. Amer. Meteor. Soc.
- * 80:2261). No cover is of one depth: a scene of cloud is the mean over depths whose logarithms are
- * normal about its own by 1.4, for of the clouds that they count about a half are below 3.6 and a
- * tenth above 23.
+ * nothing through, lie under air of one atmosphere, in its lowest 2 km with aerosol of depth 0.1
+ * (as sky_light.c has both); above all stand 300 DU of ozone, a shell. Cloud: layers that absorb
+ * nothing, Henyey & Greenstein's of asymmetry 0.85 (of drops: Hu & Stamnes 1993, J. Climate 6:728),
+ * over Lambert ground of 0.1, under 0.58 of the air (tops at 583 hPa: Rossow & Schiffer 1999, Bull.
+ * Amer. Meteor. Soc. 80:2261). No cover is of one depth: a scene of cloud is the mean over depths
+ * whose logarithms are normal about its own by 1.4, for of the clouds that they count about a half
+ * are below 3.6 and a tenth above 23.
  *
  * What is reflected by sea and land without having been scattered is no sum of 32 terms, for glint
  * and hot spot are narrow: it is exact, as is what drops scatter once. */
@@ -31,15 +31,17 @@ enum {
   OPAQUE = 2     /* .. from the thickest cloud to snow */
 };
 
-#define WAVELENGTH  0.55e-6
-#define HAZE        0.1    /* as the environment's default */
-#define OZONE       300.0  /* [DU] */
-#define DEPOLARISED 0.0141 /* g of sky_light.c */
-#define DROPS       0.85
-#define BELOW_CLOUD 0.1
-#define ABOVE_CLOUD 0.58
-#define THINNEST    0.125 /* optical depth of cloud */
-#define SPREAD      1.4   /* of its natural logarithm */
+#define WAVELENGTH   0.55e-6
+#define HAZE         0.1    /* as the environment's default */
+#define OZONE        300.0  /* [DU] */
+#define OZONE_HEIGHT 22e3   /* [m] */
+#define DEPOLARISED  0.0141 /* g of sky_light.c */
+#define DROPS        0.85
+#define HAZY         0.22 /* of the air that has aerosol: the lowest 2 km */
+#define BELOW_CLOUD  0.1
+#define ABOVE_CLOUD  0.58
+#define THINNEST     0.125 /* optical depth of cloud */
+#define SPREAD       1.4   /* of its natural logarithm */
 
 static double sine_of(double cosine) { return sqrt((1.0 - cosine) * (1.0 + cosine)); }
 
@@ -51,23 +53,29 @@ static void lambert_make(double albedo, int mode, struct um_environment_scatter_
           mode > 0 ? 0.0 : albedo * um_environment_scatter_root(i) * um_environment_scatter_root(j);
 }
 
-/* Air with aerosol, and its depth; air alone. */
-static struct um_environment_scatter_phase air(double haze, double *depth)
+/* A share of the air with aerosol, and its depth. */
+static struct um_environment_scatter_phase air(double share, double haze, double *depth)
 {
   double of[UM_LIMB_CONSTITUENTS], rayleigh;
   struct um_environment_scatter_phase phase = {.albedo = 0.0};
   um_environment_limb_depth(WAVELENGTH, of);
-  rayleigh = of[UM_LIMB_AIR];
+  rayleigh = share * of[UM_LIMB_AIR];
   *depth = rayleigh + haze;
-  double scatters = rayleigh + UM_SKY_AEROSOL_ALBEDO * haze;
-  for (int l = 0; l < MODES; l++)
-    phase.moment[l] = UM_SKY_AEROSOL_ALBEDO * haze / scatters * pow(UM_SKY_AEROSOL_ASYMMETRY, l) +
-                      rayleigh / scatters *
-                          (l == 0   ? 1.0
-                           : l == 2 ? 0.1 * (1.0 - DEPOLARISED) / (1.0 + 2.0 * DEPOLARISED)
-                                    : 0.0);
+  double hazy = UM_SKY_AEROSOL_ALBEDO * haze, scatters = rayleigh + hazy;
+  double second = 0.1 * (1.0 - DEPOLARISED) / (1.0 + 2.0 * DEPOLARISED);
+  for (int l = 0; l < MODES; l++) {
+    double molecules = l == 0 ? 1.0 : l == 2 ? second : 0.0;
+    phase.moment[l] = (hazy * pow(UM_SKY_AEROSOL_ASYMMETRY, l) + rayleigh * molecules) / scatters;
+  }
   phase.albedo = scatters / *depth;
   return phase;
+}
+
+/* Ways through a thin shell over those straight up. */
+static double through_shell(double cosine)
+{
+  double r = 1.0 + OZONE_HEIGHT / UM_EARTH_RADIUS;
+  return 1.0 / sqrt(1.0 - (1.0 - cosine * cosine) / (r * r));
 }
 
 /* What is left of light that goes through the ozone down and up. */
@@ -75,7 +83,7 @@ static double past_ozone(double sun, double view)
 {
   double of[UM_LIMB_CONSTITUENTS];
   um_environment_limb_depth(WAVELENGTH, of);
-  return exp(-OZONE * of[UM_LIMB_OZONE] * (1.0 / sun + 1.0 / view));
+  return exp(-OZONE * of[UM_LIMB_OZONE] * (through_shell(sun) + through_shell(view)));
 }
 
 /* One term of all scenes. */
@@ -107,19 +115,28 @@ static void layer_make(const struct um_environment_scatter_phase *phase, int mod
   for (int k = 0; k < doublings; k++) um_environment_scatter_double(out);
 }
 
+/* A layer of a share of the air with aerosol. */
+static void air_make(double share, double haze, int mode, struct um_environment_scatter_layer *out)
+{
+  double depth;
+  struct um_environment_scatter_phase phase = air(share, haze, &depth);
+  layer_make(&phase, mode, depth, THIN_AIR, out);
+}
+
 static void term_make(int mode, const struct grounds *grounds, struct term *out)
 {
-  struct um_environment_scatter_layer clear, high, cloud;
+  struct um_environment_scatter_layer low, clear, high, cloud;
   struct um_environment_scatter_phase drops = {.albedo = 1.0};
   static const struct um_environment_scatter_matrix nothing = {{{0.0}}};
   struct um_environment_scatter_matrix ground, together, one;
-  double depth, share[DEPTHS];
-  struct um_environment_scatter_phase phase = air(HAZE, &depth);
-  layer_make(&phase, mode, depth, THIN_AIR, &clear);
-  um_environment_scatter_over(&clear, &grounds->sea.term[mode], &out->of[UM_DAYLIGHT_SEA]);
-  um_environment_scatter_over(&clear, &grounds->land.term[mode], &out->of[UM_DAYLIGHT_LAND]);
-  phase = air(0.0, &depth);
-  layer_make(&phase, mode, ABOVE_CLOUD * depth, THIN_AIR, &high);
+  double share[DEPTHS];
+  air_make(HAZY, HAZE, mode, &low);
+  air_make(1.0 - HAZY, 0.0, mode, &clear);
+  air_make(ABOVE_CLOUD, 0.0, mode, &high);
+  um_environment_scatter_over(&low, &grounds->sea.term[mode], &together);
+  um_environment_scatter_over(&clear, &together, &out->of[UM_DAYLIGHT_SEA]);
+  um_environment_scatter_over(&low, &grounds->land.term[mode], &together);
+  um_environment_scatter_over(&clear, &together, &out->of[UM_DAYLIGHT_LAND]);
   lambert_make(BELOW_CLOUD, mode, &ground);
   for (int l = 0; l < MODES; l++) drops.moment[l] = pow(DROPS, l);
   layer_make(&drops, mode, THINNEST, THIN, &cloud);
@@ -136,7 +153,8 @@ static void term_make(int mode, const struct grounds *grounds, struct term *out)
     um_environment_scatter_double(&cloud);
   }
   for (int k = 1; k < OPAQUE; k++) um_environment_scatter_double(&cloud);
-  um_environment_scatter_over(&clear, &cloud.reflect, &out->of[UM_DAYLIGHT_SNOW]);
+  um_environment_scatter_over(&low, &cloud.reflect, &together);
+  um_environment_scatter_over(&clear, &together, &out->of[UM_DAYLIGHT_SNOW]);
 }
 
 /* What the moments leave out of the phase function of drops. */
@@ -235,10 +253,9 @@ static void scene_make(const struct term *term, const struct grounds *grounds, i
                                                                                     : NULL;
   bool cloud = scene >= UM_DAYLIGHT_CLOUD;
   double above, share[DEPTHS];
-  air(cloud ? 0.0 : HAZE, &above);
+  air(cloud ? ABOVE_CLOUD : 1.0, cloud ? 0.0 : HAZE, &above);
   if (cloud) shares_of(scene - UM_DAYLIGHT_CLOUD, share);
-  scene_add_up(term, ground, cloud ? share : NULL, (cloud ? ABOVE_CLOUD : 1.0) * above,
-               (enum um_daylight_scene)scene, out);
+  scene_add_up(term, ground, cloud ? share : NULL, above, (enum um_daylight_scene)scene, out);
   fluxes_make((enum um_daylight_scene)scene, out);
 }
 

@@ -81,7 +81,7 @@ um_environment_daylight_place(const struct um_environment_daylight *daylight,
   double below = sea * daylight->albedo[UM_DAYLIGHT_SEA] +
                  land * daylight->albedo[UM_DAYLIGHT_LAND] +
                  snow * daylight->albedo[UM_DAYLIGHT_SNOW];
-  double wanted = cover > 0.0 ? (ground->albedo - clear * below) / cover : 0.0;
+  double wanted = cover > 0.0 ? (ground->own_albedo - clear * below) / cover : 0.0;
   int k = 0;
   while (k + 2 < UM_DAYLIGHT_CLOUDS && wanted >= clouds[k + 1]) k++;
   double v = fmin(fmax((wanted - clouds[k]) / (clouds[k + 1] - clouds[k]), 0.0), 1.0);

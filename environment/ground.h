@@ -46,6 +46,7 @@ struct um_environment_ground {
   double surface;    /* temperature of the ground [K] */
   double cloud;      /* share that cloud covers, 0..1 [1] */
   double land;       /* share of the ground that is land, 0..1 [1] */
+  double own_albedo; /* before levels and the region: it says how thick cloud is [1] */
 };
 
 #endif

@@ -106,6 +106,7 @@ static struct um_environment_ground base_at(const struct um_environment_ground_v
     double longitude = atan2(um_vec3_dot(place, view->east), um_vec3_dot(place, view->greenwich));
     um_environment_map_at(e->map, asin(sine), longitude, view->month, &ground);
   }
+  ground.own_albedo = ground.albedo;
   ground.albedo *= e->albedo_factor;
   ground.longwave *= e->longwave_factor;
   ground.brightness += e->brightness_shift;
