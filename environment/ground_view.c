@@ -146,7 +146,10 @@ double um_environment_ground_toward(const struct um_environment_ground_view *vie
   double sines = sqrt((1.0 - pair.sun * pair.sun) * (1.0 - pair.view * pair.view));
   double along = um_vec3_dot(sun, toward) - pair.sun * pair.view;
   pair.azimuth = sines > 0.0 ? along / sines : 0.0;
-  struct um_environment_daylight_place scenes =
-      um_environment_daylight_place(view->daylight, ground);
+  /* snow goes by the place's own temperature; in single precision, in which a shift that is added
+   * and taken away leaves no trace */
+  struct um_environment_ground own = *ground;
+  own.surface = (double)(float)(own.surface - view->environment->brightness_shift);
+  struct um_environment_daylight_place scenes = um_environment_daylight_place(view->daylight, &own);
   return um_environment_daylight_factor(view->daylight, &scenes, pair);
 }
