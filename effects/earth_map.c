@@ -28,7 +28,7 @@ const struct um_effect um_effects_earth_map = {
     .validity =
         "off while environment.earth.model is uniform, which it is unless stated, until it is "
         "switched on: then the grids of environment.earth.file, or Knocke's zones; monthly "
-        "means, no weather; sunlit ground is Lambert",
+        "means, no weather; sunlight goes by earth_anisotropy",
     .separated_by = "albedo_level, earth_ir_level and earth_brightness, which are one for all "
                     "latitudes: temperatures or light of a side that faces the Earth, from the "
                     "tropics to the poles",

@@ -44,11 +44,16 @@ size_t um_environment_earth_cap(const struct um_environment *environment,
           um_vec3_axpy(um_vec3_scale(view.sunward, cos(phi)), sin(phi), view.side);
       struct um_environment_ground at = {.albedo = environment->albedo,
                                          .longwave = environment->outgoing_longwave};
-      if (varies)
-        at = um_environment_ground_at(&ground, um_environment_earth_ground(&view, &ring, w, phi));
+      struct um_vec3 direction = um_vec3_axpy(um_vec3_scale(view.nadir, 1.0 - drop), x, across);
+      if (varies) {
+        struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, phi);
+        at = um_environment_ground_at(&ground, place);
+        at.albedo *=
+            um_environment_ground_toward(&ground, &at, place, sun, um_vec3_scale(direction, -1.0));
+      }
       double lit = um_environment_earth_lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width);
       out[count++] = (struct um_environment_cap_point){
-          .direction = um_vec3_axpy(um_vec3_scale(view.nadir, 1.0 - drop), x, across),
+          .direction = direction,
           .solid_angle = solid_angle,
           .albedo_radiance = at.albedo * irradiance / UM_PI * lit,
           .planet_radiance = anisotropy * at.longwave / UM_PI,

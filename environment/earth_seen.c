@@ -50,8 +50,12 @@ void um_environment_earth_seen(const struct um_environment *environment,
     for (int j = 0; j < UM_EARTH_SEEN_AROUND; j++) {
       int k = i * UM_EARTH_SEEN_AROUND + j;
       double phi = 2.0 * UM_PI * j / UM_EARTH_SEEN_AROUND;
-      out->ground[k] =
-          um_environment_ground_at(&ground, um_environment_earth_ground(&view, &ring, w, phi));
+      struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, phi);
+      struct um_vec3 toward =
+          um_vec3_unit(um_vec3_axpy(um_vec3_scale(place, -1.0), -view.h, view.nadir));
+      out->ground[k] = um_environment_ground_at(&ground, place);
+      out->ground[k].albedo *=
+          um_environment_ground_toward(&ground, &out->ground[k], place, view.sun, toward);
       out->parts[k] = um_environment_ground_split(&out->ground[k], ground.spectral ? ratio : NULL);
     }
   }

@@ -20,6 +20,7 @@ struct um_environment_earth_axes {
 struct um_environment_earth_seen {
   struct um_environment_earth_axes axes;
   bool spectral; /* um_environment_earth_is_spectral */
+  /* albedo: that of a Lambert surface as bright in sunlight, seen from here */
   struct um_environment_ground ground[UM_EARTH_SEEN_NODES];
   struct um_environment_ground_parts parts[UM_EARTH_SEEN_NODES];
   /* of the mean that a plate sees which faces nadir; their sum is 1 [1] */

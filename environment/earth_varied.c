@@ -48,10 +48,12 @@ static void ring_make(const struct um_environment_earth_view *view,
     double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
     struct um_vec3 across =
         um_vec3_axpy(um_vec3_scale(view->sunward, cos(phi)), sin(phi), view->side);
-    struct um_environment_ground at =
-        um_environment_ground_at(ground, um_environment_earth_ground(view, &ring, w.x, phi));
+    struct um_vec3 place = um_environment_earth_ground(view, &ring, w.x, phi);
+    struct um_environment_ground at = um_environment_ground_at(ground, place);
     lit[k] = um_environment_earth_lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width);
     struct um_vec3 to = um_vec3_axpy(um_vec3_scale(view->nadir, ring.z), ring.x, across);
+    at.albedo *=
+        um_environment_ground_toward(ground, &at, place, view->sun, um_vec3_scale(to, -1.0));
     out->x[k] = to.x;
     out->y[k] = to.y;
     out->z[k] = to.z;

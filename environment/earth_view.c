@@ -13,6 +13,7 @@ struct um_environment_earth_view um_environment_earth_view(const struct um_envir
   double distance = um_vec3_norm(r);
   view.h = fmax(distance / environment->earth_radius, 1.0);
   view.nadir = um_vec3_scale(r, -1.0 / distance);
+  view.sun = sun;
   view.cos_zenith = -um_vec3_dot(sun, view.nadir);
   struct um_vec3 across = um_vec3_axpy(sun, view.cos_zenith, view.nadir);
   view.sin_zenith = um_vec3_norm(across);

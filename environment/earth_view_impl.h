@@ -10,6 +10,7 @@
 /* Nadir, the sunward horizontal, what completes them; and what the rings need to know. */
 struct um_environment_earth_view {
   struct um_vec3 nadir, sunward, side; /* unit, right-handed (sunward, side, nadir) */
+  struct um_vec3 sun;                  /* unit, toward it */
   double h;                            /* r/R >= 1 [1] */
   double cos_zenith, sin_zenith;       /* of the Sun at the sub-satellite point [1] */
 };

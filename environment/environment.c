@@ -22,6 +22,7 @@ void um_environment_defaults(struct um_environment *out)
       .albedo = 0.30,             /* Stephens et al. 2012, Nature Geoscience 5:691 */
       .outgoing_longwave = 237.0, /* the same, rounded */
       .earth_spectrum_on = true,
+      .earth_anisotropy_on = true,
       .brightness_temperature = 270.0, /* between clear (260-285 K) and cloudy (220-250 K) */
       .earth_radius = UM_EARTH_RADIUS,
       .shadow = UM_SHADOW_OBLATE,

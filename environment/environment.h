@@ -13,6 +13,7 @@
 #include "materials/materials.h"
 
 struct um_environment_limb;
+struct um_environment_daylight;
 
 enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
 enum um_environment_shadow {
@@ -38,6 +39,10 @@ struct um_environment {
   /* of an Earth that is not uniform: infrared by wavelength and angle (earth_infrared.h), or of a
    * Lambert black body */
   bool earth_spectrum_on;
+  /* the same of sunlight that it reflects (daylight.h), or as a Lambert surface does; daylight is
+   * borrowed, never written; NULL: as a Lambert surface */
+  bool earth_anisotropy_on;
+  const struct um_environment_daylight *daylight;
   double mirror_cloud;                 /* added to the cover of cloud where lobes look [1] */
   struct um_environment_region region; /* where, and when, the level is another */
   double earth_radius;                 /* [m] of the sphere that loads and reflects */
@@ -81,6 +86,8 @@ void um_environment_defaults(struct um_environment *out);
 bool um_environment_earth_varies(const struct um_environment *environment);
 /* Does its infrared go by wavelength and angle? Such an Earth varies. */
 bool um_environment_earth_is_spectral(const struct um_environment *environment);
+/* Does what it reflects go by angle? Such an Earth varies, and has its daylight. */
+bool um_environment_earth_is_anisotropic(const struct um_environment *environment);
 
 /* Solar irradiance [W/m^2] at a distance [m] from the Sun. */
 double um_environment_solar_irradiance(const struct um_environment *environment, double distance);

@@ -40,11 +40,13 @@ struct um_environment_globe {
 
 /* What a place reflects and emits. */
 struct um_environment_ground {
-  double albedo;     /* of a Lambert surface, 0..1 [1] */
+  double albedo;     /* flux that is reflected over flux that arrives, 0..1 [1] */
   double longwave;   /* exitance, all wavelengths [W/m^2] */
   double brightness; /* brightness temperature in the window, seen from above [K] */
   double surface;    /* temperature of the ground [K] */
   double cloud;      /* share that cloud covers, 0..1 [1] */
+  double land;       /* share of the ground that is land, 0..1 [1] */
+  double own_albedo; /* before levels and the region: it says how thick cloud is [1] */
 };
 
 #endif

@@ -31,6 +31,12 @@ bool um_environment_earth_is_spectral(const struct um_environment *environment)
   return environment->earth_spectrum_on && environment->earth != UM_EARTH_UNIFORM;
 }
 
+bool um_environment_earth_is_anisotropic(const struct um_environment *environment)
+{
+  return environment->earth_anisotropy_on && environment->daylight != NULL &&
+         environment->earth != UM_EARTH_UNIFORM;
+}
+
 /* From 0 to 1 like a cosine while x goes from -width/2 to width/2. */
 static double rise(double x, double width)
 {
@@ -52,6 +58,7 @@ um_environment_ground_view(const struct um_environment *environment,
   struct um_environment_ground_view view = {
       .environment = environment, .spectral = um_environment_earth_is_spectral(environment)};
   if (globe == NULL) return view;
+  if (um_environment_earth_is_anisotropic(environment)) view.daylight = environment->daylight;
   const struct um_environment_region *region = &environment->region;
   double relative = UM_AU / sun_distance;
   view.pole = globe->pole;
@@ -86,14 +93,20 @@ static struct um_environment_ground base_at(const struct um_environment_ground_v
   const struct um_environment *e = view->environment;
   if (e->earth == UM_EARTH_UNIFORM)
     return (struct um_environment_ground){
-        e->albedo, e->outgoing_longwave, e->brightness_temperature, e->brightness_temperature, 0.0};
+        .albedo = e->albedo,
+        .longwave = e->outgoing_longwave,
+        .brightness = e->brightness_temperature,
+        .surface = e->brightness_temperature,
+    };
   double sine = fmin(fmax(um_vec3_dot(place, view->pole), -1.0), 1.0);
   struct um_environment_ground ground = knocke_at(view, sine);
   um_environment_zones(asin(sine), view->month, &ground.surface, &ground.cloud);
+  ground.land = um_environment_zone_land(asin(sine));
   if (e->earth == UM_EARTH_MAP && e->map != NULL) {
     double longitude = atan2(um_vec3_dot(place, view->east), um_vec3_dot(place, view->greenwich));
     um_environment_map_at(e->map, asin(sine), longitude, view->month, &ground);
   }
+  ground.own_albedo = ground.albedo;
   ground.albedo *= e->albedo_factor;
   ground.longwave *= e->longwave_factor;
   ground.brightness += e->brightness_shift;
@@ -120,4 +133,23 @@ struct um_environment_ground um_environment_ground_at(const struct um_environmen
   ground.longwave = fmax(ground.longwave, 0.0);
   ground.brightness = fmax(ground.brightness, 0.0);
   return ground;
+}
+
+double um_environment_ground_toward(const struct um_environment_ground_view *view,
+                                    const struct um_environment_ground *ground,
+                                    struct um_vec3 place, struct um_vec3 sun, struct um_vec3 toward)
+{
+  if (view->daylight == NULL) return 1.0;
+  struct um_environment_daylight_pair pair = {.sun = fmin(fmax(um_vec3_dot(place, sun), 0.0), 1.0),
+                                              .view =
+                                                  fmin(fmax(um_vec3_dot(place, toward), 0.0), 1.0)};
+  double sines = sqrt((1.0 - pair.sun * pair.sun) * (1.0 - pair.view * pair.view));
+  double along = um_vec3_dot(sun, toward) - pair.sun * pair.view;
+  pair.azimuth = sines > 0.0 ? along / sines : 0.0;
+  /* snow goes by the place's own temperature; in single precision, in which a shift that is added
+   * and taken away leaves no trace */
+  struct um_environment_ground own = *ground;
+  own.surface = (double)(float)(own.surface - view->environment->brightness_shift);
+  struct um_environment_daylight_place scenes = um_environment_daylight_place(view->daylight, &own);
+  return um_environment_daylight_factor(view->daylight, &scenes, pair);
 }

@@ -2,6 +2,7 @@
 #ifndef UMBRA_ENVIRONMENT_GROUND_VIEW_H
 #define UMBRA_ENVIRONMENT_GROUND_VIEW_H
 
+#include "environment/daylight.h"
 #include "environment/environment.h"
 
 /* The region does nothing: its factors are 1, its offsets 0. */
@@ -15,6 +16,8 @@ struct um_environment_ground_view {
   double month;  /* 0 in the middle of January, 11 in that of December; -0.5..11.5 [months] */
   double weight; /* of the region at this time, 0..1 [1] */
   bool spectral; /* um_environment_earth_is_spectral */
+  const struct um_environment_daylight
+      *daylight;         /* NULL: not um_environment_earth_is_anisotropic */
   struct um_vec3 centre; /* of the region [1] */
 };
 /* globe: NULL for a uniform Earth. sun_distance [m]. */
@@ -26,5 +29,12 @@ um_environment_ground_view(const struct um_environment *environment,
  * two above zero. Tests: environment/ground_view. */
 struct um_environment_ground um_environment_ground_at(const struct um_environment_ground_view *view,
                                                       struct um_vec3 place);
+/* Sunlight that a place reflects toward a view over what a Lambert surface of its albedo sends, 1
+ * where the view has no daylight. place: a unit vector from the geocentre; sun, toward: unit, to
+ * the Sun and to the viewer. Test: environment/daylight. */
+double um_environment_ground_toward(const struct um_environment_ground_view *view,
+                                    const struct um_environment_ground *ground,
+                                    struct um_vec3 place, struct um_vec3 sun,
+                                    struct um_vec3 toward);
 
 #endif

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "environment/daylight.h"
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
@@ -132,6 +133,17 @@ static enum um_status build_limb(struct um_context *context, struct um_model *mo
   return UM_OK;
 }
 
+/* What the sunlit Earth reflects by angle; one for all scenarios, made where it is read. */
+static enum um_status build_daylight(struct um_context *context, struct um_model *model)
+{
+  const struct um_environment *e = &model->environment;
+  if (e->earth == UM_EARTH_UNIFORM || !e->earth_anisotropy_on) return UM_OK;
+  if (model->origin != NULL) model->daylight = model->origin->daylight;
+  if (model->daylight == NULL) UM_TRY(um_environment_daylight_make(context, &model->daylight));
+  model->environment.daylight = model->daylight;
+  return UM_OK;
+}
+
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)
 {
   struct um_effect_use use;
@@ -152,5 +164,5 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
     if (use.effect->hooks.sky != NULL)
       UM_TRY(use.effect->hooks.sky(context, &use, &model->environment.sky));
   }
-  return UM_OK;
+  return build_daylight(context, model);
 }

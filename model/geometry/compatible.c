@@ -44,6 +44,7 @@ static bool same_earth(const struct um_environment *a, const struct um_environme
   if (!um_environment_earth_varies(a) && !um_environment_earth_varies(b)) return true;
   return a->earth == b->earth &&
          um_environment_earth_is_spectral(a) == um_environment_earth_is_spectral(b) &&
+         um_environment_earth_is_anisotropic(a) == um_environment_earth_is_anisotropic(b) &&
          um_environment_map_equal(a->map, b->map) && a->albedo_factor == b->albedo_factor &&
          a->longwave_factor == b->longwave_factor && a->brightness_shift == b->brightness_shift &&
          a->brightness_temperature == b->brightness_temperature &&

@@ -40,7 +40,9 @@ static const struct um_schema_field earth_fields[] = {
     F(model, UM_SCHEMA_CHOICE, DEFAULT(0), .choices = earth_choices,
       HELP("uniform: albedo, olr_W_m2 and brightness_temperature_K of the environment; knocke: by "
            "latitude and season; map: monthly grids of the file. Of the latter two the infrared "
-           "goes by wavelength and angle (effect earth_spectrum)")),
+           "goes by wavelength and angle (effect earth_spectrum), what is reflected by angle "
+           "(effect "
+           "earth_anisotropy)")),
     F(file, UM_SCHEMA_TEXT, NAMES_FILE,
       HELP("CSV or netCDF of model map; what it lacks is that of its latitude")),
     F(local, UM_SCHEMA_MAP, .object = &region_object),

@@ -37,6 +37,7 @@ static const struct entry cases[] = {
     {"atmosphere", NULL, 0.0, "bus", "a switch"},
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"earth_spectrum", NULL, 0.0, "bus", "a switch"},
+    {"earth_anisotropy", NULL, 0.0, "bus", "a switch"},
     {"absorptance_angle", NULL, 0.0, "bus", "a switch"},
     {"emittance_temperature", NULL, 0.0, "bus", "a switch"},
     {"bulk_temperature", NULL, 0.0, "bus", "a switch"},

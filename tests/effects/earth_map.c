@@ -62,7 +62,7 @@ static void map_of_one_value_is_uniform(void **state)
   const char *const from[] = {RELATIVE, ABSOLUTE, NULL};
   const char *const key[] = {set, "environment.earth.model=map", RELATIVE, ABSOLUTE, NULL};
   struct case_run one = case_compute(case_satellite, NULL, NULL, from);
-  const char *const without[] = {"earth_spectrum", NULL};
+  const char *const without[] = {"earth_spectrum", "earth_anisotropy", NULL};
   struct case_run mapped = case_compute(case_satellite, NULL, without, key);
   struct case_run a = case_with(case_satellite, NULL);
   struct case_run b = with_set(set, "environment.earth.model=map", NULL);
@@ -100,6 +100,25 @@ static void switch_is_the_key(void **state)
   case_release(&uniform);
   case_release(&key);
   case_release(&effect);
+  case_release(&off);
+}
+
+/* Sunlight by angle acts on an Earth that is not uniform, and on no other; on heat and on light. */
+static void anisotropy_is_of_places(void **state)
+{
+  (void)state;
+  const char *const set[] = {KNOCKE, NULL}, *const without[] = {"earth_anisotropy", NULL};
+  struct case_run uniform = case_with(case_satellite, NULL);
+  struct case_run same = case_compute(case_satellite, NULL, without, NULL);
+  struct case_run key = with_set(KNOCKE, NULL, NULL);
+  struct case_run off = case_compute(case_satellite, NULL, without, set);
+  assert_true(case_same(&uniform, &same));
+  assert_true(largest(&off, &key) > 0.01);
+  for (size_t i = 0; i < key.result->nobs * key.result->nband; i++)
+    assert_true(key.result->irradiance[i] != off.result->irradiance[i]);
+  case_release(&uniform);
+  case_release(&same);
+  case_release(&key);
   case_release(&off);
 }
 
@@ -173,6 +192,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(map_of_one_value_is_uniform),
+      cmocka_unit_test(anisotropy_is_of_places),
       cmocka_unit_test(switch_is_the_key),
       cmocka_unit_test(region_is_a_level_where_it_is),
       cmocka_unit_test(levels_scale_knocke),

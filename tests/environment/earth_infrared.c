@@ -116,7 +116,7 @@ static void split_keeps_the_level(void **state)
   for (double surface = 215.0; surface < 316.0; surface += 20.0)
     for (double brightness = 180.0; brightness < 301.0; brightness += 10.0)
       for (double cloud = 0.0; cloud < 1.01; cloud += 0.25) {
-        struct um_environment_ground g = {0.3, 237.0, brightness, surface, cloud};
+        struct um_environment_ground g = {0.3, 237.0, brightness, surface, cloud, 0.29, 0.3};
         struct um_environment_ground_parts p = um_environment_ground_split(&g, ratio);
         double at = UM_EARTH_NADIR_WINDOW, place = um_core_planck_radiance(at, brightness);
         double clear = um_environment_earth_upward(at, p.surface, 0.0, p.surface, 1.0);

@@ -55,7 +55,7 @@ static struct um_environment_map *read_map(void)
 static struct um_environment_ground at(const struct um_environment_map *map, double latitude,
                                        double longitude, double month)
 {
-  struct um_environment_ground g = {-1.0, -1.0, -1.0, -1.0, -1.0};
+  struct um_environment_ground g = {-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
   um_environment_map_at(map, latitude * UM_DEG, longitude * UM_DEG, month, &g);
   return g;
 }

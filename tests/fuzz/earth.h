@@ -22,7 +22,7 @@ static inline void earth_try(struct um_context *context, const char *path)
   }
   if (!um_environment_map_equal(map, map)) um_fuzz_finding("a map that differs from itself");
   for (int k = 0; k < 60; k++) {
-    struct um_environment_ground g = {0.5, 240.0, 280.0, 290.0, 0.6};
+    struct um_environment_ground g = {0.5, 240.0, 280.0, 290.0, 0.6, 0.29, 0.5};
     double latitude = (k % 5 - 2) * 45.0 * UM_DEG, longitude = (k % 7 - 3) * 60.0 * UM_DEG;
     um_environment_map_at(map, latitude, longitude, 0.2 * k, &g);
     earth_between(g.albedo, 0.0, 1.0, "an albedo");

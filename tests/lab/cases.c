@@ -109,6 +109,7 @@ static const struct {
                 {"bulk_temperature", true, false},
                 {"earth_map", true, true},
                 {"earth_spectrum", true, true},
+                {"earth_anisotropy", true, true},
                 {"mutual_radiation", true, true},
                 {"solar_multiple_reflection", true, true},
                 {"specular_exchange", false, true},

@@ -119,6 +119,8 @@ static const struct lab_world worlds[] = {
     /* An Earth with its own spectrum, of mean cloud to the analyst. */
     {.name = "dusk-earth_spectrum", DUSK, .set = {EARTH}, .without = "earth_spectrum"},
     {.name = "dawn-earth_spectrum", DAWN, PLACES, .set = {EARTH}, .without = "earth_spectrum"},
+    {.name = "dusk-earth_anisotropy", DUSK, .set = {EARTH}, .without = "earth_anisotropy"},
+    {.name = "dawn-earth_anisotropy", DAWN, PLACES, .set = {EARTH}, .without = "earth_anisotropy"},
     {.name = "dusk-clouds", DUSK, .set = {EARTH}},
     {.name = "dawn-clouds", DAWN, PLACES, .set = {EARTH}},
 

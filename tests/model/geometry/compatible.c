@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "environment/daylight.h"
 #include "model/build/build.h"
 #include "model/geometry/compatible.h"
 #include "model/geometry/precompute.h"
@@ -141,6 +142,8 @@ static void test_as_traced(void **state)
   assert_int_equal(wrong, 0);
 }
 
+static const struct um_environment_daylight one;
+
 /* An Earth that varies, behind air, in the order of the members: one more, and it has no value here
  * (-Wmissing-field-initializers); it also wants a line below. */
 static const struct um_environment every = {
@@ -156,6 +159,8 @@ static const struct um_environment every = {
     1.0, /* longwave_factor */
     0.0,
     true, /* earth_spectrum_on */
+    true, /* earth_anisotropy_on */
+    &one, /* daylight */
     0.0,  /* mirror_cloud */
     {true, 0.1, 0.2, 0.3, 0.4, -INFINITY, INFINITY, 1.0, 1.1, 0.1, 1.1, 1.0, 2.0},
     6.4e6,
@@ -212,6 +217,8 @@ static const struct {
     MEMBER(longwave_factor, ANOTHER),
     MEMBER(brightness_shift, ANOTHER),
     MEMBER(earth_spectrum_on, ANOTHER),
+    MEMBER(earth_anisotropy_on, ANOTHER),
+    MEMBER(daylight, COMPATIBLE), /* there is but one */
     MEMBER(mirror_cloud, COMPATIBLE),
     MEMBER(region.everywhere, ANOTHER),
     MEMBER(region.latitude, ANOTHER),

@@ -83,17 +83,20 @@ static double whole_lobe(struct um_vec3 o)
   return sum;
 }
 
-/* Radiance of 8-12 um [W/m^2/sr] and albedo times the Sun's cosine [1] from a direction. */
+/* Radiance of 8-12 um [W/m^2/sr] and albedo times the Sun's cosine [1] from a direction; toward:
+ * back to the satellite. */
 struct shown {
   double infrared, lit;
 };
 static struct shown shown_by(const struct um_environment_ground_view *view, const double *ratio,
-                             struct um_vec3 up, struct um_vec3 sun, double cosine, double cover)
+                             struct um_vec3 up, struct um_vec3 sun, struct um_vec3 toward,
+                             double cosine, double cover)
 {
   struct um_environment_ground g = um_environment_ground_at(view, up);
   struct um_environment_ground_parts p = um_environment_ground_split(&g, ratio);
   struct shown out = {0.0, g.albedo * fmax(0.0, um_vec3_dot(up, sun))};
   double c = fmin(fmax(p.cover + cover, 0.0), 1.0);
+  out.lit *= um_environment_ground_toward(view, &g, up, sun, toward);
   const int n = 16;
   for (int b = 0; b < n; b++) {
     double from = 8e-6 + 4e-6 * b / n, to = from + 4e-6 / n;
@@ -138,8 +141,9 @@ static struct sums by_directions(const struct um_environment *e, const double *a
       struct um_vec3 up = um_vec3_axpy(um_vec3_scale(nadir, -cos(gamma)), sin(gamma), out);
       if (!(i.z > 0.0) || (a == RING && eta >= rho)) continue;
       double w = sqrt(fmax(0.0, 1.0 - se * se));
-      struct shown as_is = shown_by(&view, ratio, up, sun, w, 0.0);
-      struct shown in_lobe = cover != 0.0 ? shown_by(&view, ratio, up, sun, w, cover) : as_is;
+      struct um_vec3 back = um_vec3_scale(i, -1.0);
+      struct shown as_is = shown_by(&view, ratio, up, sun, back, w, 0.0);
+      struct shown in_lobe = cover != 0.0 ? shown_by(&view, ratio, up, sun, back, w, cover) : as_is;
       if (a == RING) {
         s.lobe[MIRROR][0] = DEEP * in_lobe.lit;
         s.lobe[MIRROR][1] = DEEP * in_lobe.infrared;
@@ -253,6 +257,7 @@ static void places_in_lobes(void **state)
   (void)state;
   struct fixture f;
   struct sums sums[PLACES];
+  struct um_environment_daylight *daylight;
   fixture_create(&f);
   f.environment.earth = UM_EARTH_KNOCKE;
   f.environment.multiple_scattering_on = false; /* facets keep back what they throw at others */
@@ -263,6 +268,13 @@ static void places_in_lobes(void **state)
   hold(&f, TABLE, 0.5, sums);
   hold(&f, MIRROR, 0.5, sums);
   assert_true(off <= 0.01);
+  off = 0.0;
+  assert_int_equal(um_environment_daylight_make(f.context, &daylight), UM_OK);
+  f.environment.daylight = daylight;
+  sums_fill(&f, 0.0, sums);
+  for (int kind = 0; kind < KINDS; kind++) hold(&f, (enum kind)kind, 0.0, sums);
+  assert_true(off <= 0.02);
+  um_core_free(f.context, daylight);
   fixture_destroy(&f);
 }
 
