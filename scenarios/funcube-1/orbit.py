@@ -27,9 +27,13 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 STUDIES = ("surfaces.yaml", "inside.yaml")
-NOMINAL = {"panel_side": (0.714, 0.828), "panel_end": (0.705, 0.828), "frame": (0.508, 0.425)}  # materials/
 BIN = 180.0                  # s, of the orbit
 ORBIT, WORTH = 5838.0, 72.0  # s from sunrise to sunrise; frames that do not repeat each other
+
+
+def of_record(material, key):
+    text = (HERE / "materials" / (material + ".yaml")).read_text(encoding="utf-8")
+    return float(re.search(r"^  %s: (\S+)" % key, text, re.M).group(1))
 
 
 def parameters():
@@ -44,11 +48,11 @@ def parameters():
             if "key" in of:
                 options = [["--set", "%s=%g" % (of["key"], end)] for end in ends]
             elif of["property"] == "absorptance":
-                options = [["--with", "solar_absorptance:%s,shift=%g" % (of["material"], end - NOMINAL[of["material"]][0])]
-                           for end in ends]
+                now = of_record(of["material"], "solar_absorptance")
+                options = [["--with", "solar_absorptance:%s,shift=%g" % (of["material"], end - now)] for end in ends]
             else:
-                options = [["--with", "emittance:%s,factor=%g" % (of["material"], end / NOMINAL[of["material"]][1])]
-                           for end in ends]
+                now = of_record(of["material"], "emittance")
+                options = [["--with", "emittance:%s,factor=%g" % (of["material"], end / now)] for end in ends]
             found.append((of["name"], options))
     return found
 
