@@ -6,7 +6,7 @@
 Channels, comma-separated:
   mean     the four solar panels +X -X +Y -Y averaged: temperature of 'material:panel_side'
   panels   each of them: 'body.+x', 'body.-x', 'body.+y', 'body.-y'
-  chassis  the two thermistors in the frame averaged: 'body.interior'
+  chassis  the two thermistors in the frame averaged: 'body.frame'
 Default: mean; measured.csv is made so, and measured-10min.csv with --every 10.
 
 Degrees Celsius become kelvin. --every N keeps every Nth frame: residuals of neighbouring minutes
@@ -47,7 +47,7 @@ def channels_of(row, wanted):
         for place, name in PANELS.items():
             yield place, kelvin(row, [name])
     if "chassis" in wanted:
-        yield "body.interior", kelvin(row, CHASSIS)
+        yield "body.frame", kelvin(row, CHASSIS)
 
 
 def main():
