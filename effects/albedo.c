@@ -9,7 +9,7 @@ const struct um_effect um_effects_albedo = {
     .name = "albedo",
     .summary = "Sunlight reflected by the Earth heats the satellite",
     .reference = "Knocke, Ries & Tapley 1988, AIAA 88-4292",
-    .validity = "Lambert Earth of the scenario's albedo or of earth_map; acts on both sides of the "
+    .validity = "Earth of the scenario's albedo or of earth_map; acts on both sides of the "
                 "terminator",
     .separated_by = "solar_absorptance, which heats in the Sun alone: temperatures of a side that "
                     "faces the Earth, followed past the terminator of the ground below",

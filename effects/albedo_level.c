@@ -44,7 +44,7 @@ const struct um_effect um_effects_albedo_level = {
     .summary = "The Earth below reflects more or less sunlight than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
     .validity =
-        "Lambert Earth; the scenario's albedo after the factor up to 1, and each place's where "
+        "the scenario's albedo after the factor up to 1, and each place's where "
         "the Earth is not uniform",
     .separated_by =
         "solar_absorptance: temperatures over a whole orbit, or visible light at large phase "
