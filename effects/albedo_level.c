@@ -43,9 +43,8 @@ const struct um_effect um_effects_albedo_level = {
     .name = "albedo_level",
     .summary = "The Earth below reflects more or less sunlight than its mean",
     .reference = "Anderson, Justus & Batts 2001, NASA/TM-2001-211221",
-    .validity =
-        "the scenario's albedo after the factor up to 1, and each place's where "
-        "the Earth is not uniform",
+    .validity = "the scenario's albedo after the factor up to 1, and each place's where "
+                "the Earth is not uniform",
     .separated_by =
         "solar_absorptance: temperatures over a whole orbit, or visible light at large phase "
         "angles; it follows the Sun over the ground below and vanishes on the night side",

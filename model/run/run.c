@@ -71,6 +71,7 @@ enum um_status um_model_run(struct um_context *context, const struct um_model *m
     status = um_model_mesh_error(context, model, tables, heat, *out, &(*out)->mesh);
   if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
     status = um_model_check_record_ranges(context, model, tables, *out);
+  if (status != UM_OK) um_model_result_destroy(context, out);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
 }

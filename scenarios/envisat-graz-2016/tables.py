@@ -4,7 +4,7 @@
   python3 scenarios/envisat-graz-2016/tables.py --keep runs            all of them: a quarter of an hour on two cores
   python3 scenarios/envisat-graz-2016/tables.py --keep runs inside     the table of the bus's inside
 
-Tables: shows, choices, contributions, inside, creases, air, paper, attitude. Runs that stand in the folder already are read, not made
+Tables: shows, choices, contributions, inside, creases, air, paper, attitude, mesh. Runs that stand in the folder already are read, not made
 again: empty it after a change of the program. Standard library only.
 """
 import argparse
@@ -44,7 +44,7 @@ CHOICES = {
     "e* 0.005": ["parts.bus.mli.effective_emittance=0.005"],
     "e* 0.05": ["parts.bus.mli.effective_emittance=0.05"],
 }
-CONTRIBUTIONS = ("shadow_refraction", "earth_map", "earth_spectrum", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
+CONTRIBUTIONS = ("shadow_refraction", "earth_map", "earth_spectrum", "earth_anisotropy", "earthlight_lobe", "multiple_scattering", "emittance_temperature",
                  "absorptance_angle", "mutual_radiation", "solar_multiple_reflection", "specular_exchange", "bulk_temperature",
                  "inter_reflection", "panel_flatness")
 CREASES = {"flat": None, "3 deg, 0.1 m": "{tilt_rms_deg: 3, patch_m: 0.1}", "10 deg, too small to tell apart": "{tilt_rms_deg: 10}",
@@ -288,7 +288,41 @@ def attitude(runs):
            "apparent area of the array before, then [m2]"], rows)
 
 
-TABLES = {f.__name__: f for f in (shows, choices, contributions, inside, creases, air, paper, attitude)}
+def mesh(runs):
+    """Facets of one size, and those of facets.csv, which are cut where temperatures ask for it; against the finest."""
+    sets = {f"{size} m": [f"thermal.facet_size_m={size}"] for size in ("2.4", "1.2", "0.6", "0.3")}
+    sets["facets.csv"] = ["thermal.facets=facets.csv"]
+    asked = {name: runs.ask("mesh " + name, sets=SLOW + extra) for name, extra in sets.items()}
+    finest, rows, points = asked["0.3 m"].result(), [], []
+    for name, future in asked.items():
+        run = future.result()
+        log = (run.folder / "log.txt").read_text()
+        said = re.search(r"about (\S+) K at most \((\S+)\).*lwir by about (\S+) % at most, (\S+) % in the mean", log)
+        surfaces = re.search(r"view factors: (\d+) surfaces", log)[1]
+        change = [100 * (a / b - 1) for a, b in zip(finest.band("lwir"), run.band("lwir"))]
+        moved = {p[:-7]: largest([a - b for a, b in zip(finest.heat[p], run.heat[p])]) for p in run.heat
+                 if p.endswith(".mean_K") and p.count(".") == 2}
+        place = max(moved, key=lambda p: abs(moved[p]))
+        found = ["", ""] if run is finest else [f"{moved[place]:+.2f} ({place})", f"{mean(change):+.2f}, {largest(change):+.2f}"]
+        rows.append([name, surfaces, f"{said[1]} ({said[2]})", found[0], f"{said[4]}, {said[3]}", found[1]])
+        points.append((name, surfaces, abs(float(said[1])), abs(float(said[3]))))
+    table(["facets", "that see others", "temperature of a group, said [K]", "to 0.3 m, found [K]", "LWIR, said, mean and most [%]",
+           "to 0.3 m, found [%]"], rows)
+    script = runs.keep / "mesh.gp"
+    data = ["\n".join(f"{p[1]} {p[2]} {p[3]}" for p in points[:-1]), " ".join(str(v) for v in points[-1][1:])]
+    script.write_text(f"""$one << E\n{data[0]}\nE\n$cut << E\n{data[1]}\nE
+set terminal pngcairo size 900,420 font 'sans,10'; set output 'mesh.png'; set multiplot layout 1,2
+set logscale xy; set xrange [600:20000]; set xlabel 'surfaces'; set grid; set key top right
+set ylabel 'mean temperature of a group off by, at most [K]'; set yrange [0.05:20]
+plot $one u 1:2 w lp pt 7 t 'facets of one size, 2.4 to 0.3 m', $cut u 1:2 w p pt 9 ps 2 t 'cut where asked for', 0.5 lt 0 t '0.5 K'
+set ylabel 'LWIR off by, at most [%]'
+plot $one u 1:3 w lp pt 7 t 'facets of one size', $cut u 1:3 w p pt 9 ps 2 t 'cut where asked for', 0.5 lt 0 t '0.5 %'
+""")
+    subprocess.run(["gnuplot", script.name], cwd=runs.keep, check=True)
+    print(f"picture: {runs.keep / 'mesh.png'}\n")
+
+
+TABLES = {f.__name__: f for f in (shows, choices, contributions, inside, creases, air, paper, attitude, mesh)}
 
 
 def main():
