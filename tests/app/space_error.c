@@ -109,6 +109,10 @@ static void test_finer_facets(void **state)
   assert_int_equal(c.code, 0);
   print_message("%s", c.out);
   assert_non_null(strstr(c.out, "\"reached\": true"));
+  size_t facets = 0; /* of the last round: the least that are off come last */
+  for (const char *at = c.out; (at = strstr(at, "\"facets\": ")) != NULL; at++)
+    facets = (size_t)strtoul(at + strlen("\"facets\": "), NULL, 10);
+  assert_true(facets > 500 && facets < 1600);
   command_release(&c);
   command_expect(0, "run", "slab.yaml", "--no-plots", "--force", "--out", "out", "--set",
                  "thermal.facets=facets.csv", NULL);
