@@ -4,6 +4,7 @@
 #include "app/terminal.h"
 #include "base/core/file.h"
 #include "model/build/build.h"
+#include "model/run/mesh_error.h"
 #include "output/facets.h"
 
 static enum um_status write(struct um_context *context, const struct um_model *model,
@@ -13,12 +14,6 @@ static enum um_status write(struct um_context *context, const struct um_model *m
   UM_TRY(um_core_whole_begin(context, path, &whole));
   um_output_write_facets(model, facets, whole.file);
   return um_core_whole_end(context, &whole, UM_OK);
-}
-
-static void print_group(const struct um_model *model, size_t group)
-{
-  const struct um_geometry_group *of = um_geometry_group(model->geometry, group);
-  printf("%s.%s", um_geometry_part_name(model->geometry, of->part), of->name);
 }
 
 static void print(const struct um_app_options *options, const struct um_model *model,
@@ -37,9 +32,10 @@ static void print(const struct um_app_options *options, const struct um_model *m
   }
   printf("facets  mean temperature off by, at most\n");
   for (size_t i = 0; i < facets->nround; i++) {
-    printf("%6zu  %.2g K  ", facets->round[i].nfacet, facets->round[i].error);
-    print_group(model, facets->round[i].group);
-    printf("\n");
+    const struct um_model_facets_round *round = &facets->round[i];
+    char side[UM_MODEL_MESH_SIDE];
+    printf("%6zu  %.2g K  %s\n", round->nfacet, round->error,
+           um_model_mesh_side(model, round->group, round->back, side));
   }
   printf("%s: write `thermal: {facets: ...}` with its name into the scenario\n", options->out);
 }

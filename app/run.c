@@ -11,6 +11,7 @@
 #include "base/core/constants.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
+#include "model/run/mesh_error.h"
 #include "model/run/run.h"
 #include "output/output.h"
 
@@ -140,19 +141,14 @@ static enum um_status summarise(struct um_context *context, const struct um_outp
 static void tell_mesh(struct um_context *context, const struct um_model *model,
                       const struct um_model_mesh_error *mesh)
 {
-  char light[160] = "", place[160] = "no place";
+  char light[160] = "", place[UM_MODEL_MESH_SIDE] = "no place";
   for (size_t b = mesh->nband; b-- > 0;) {
     if (model->band[b].from < UM_INFRARED_FROM) continue;
     snprintf(light, sizeof light, "; %.32s by about %+.2g %% at most, %+.2g %% in the mean",
              model->band[b].name, 100.0 * mesh->light[b], 100.0 * mesh->light_mean[b]);
     break;
   }
-  if (mesh->temperature != 0.0) {
-    const struct um_geometry_group *group = um_geometry_group(model->geometry, mesh->group);
-    snprintf(place, sizeof place, "%.60s.%.60s%s",
-             um_geometry_part_name(model->geometry, group->part), group->name,
-             mesh->back ? ".back" : "");
-  }
+  if (mesh->temperature != 0.0) um_model_mesh_side(model, mesh->group, mesh->back, place);
   um_core_log(context, UM_LOG_INFO,
               "mesh: finer facets would move temperatures of places by about %+.2g K at most (%s), "
               "%.2g K in the mean%s",

@@ -41,6 +41,7 @@ static enum um_status log_tle_age(struct um_context *context, const struct um_mo
                                   const struct um_orbit_trajectory *trajectory, double *error,
                                   double *delay)
 {
+  static const char *const said[] = {"orbit", "time", NULL};
   double t = model->scenario->time->start, days = (t - tle->epoch_tai) / 86400.0;
   struct um_vec3 v;
   char epoch[32], means[160] = "its error is not known: period of 225 min or more, or near decay";
@@ -52,7 +53,8 @@ static enum um_status log_tle_age(struct um_context *context, const struct um_mo
     snprintf(means, sizeof means, "expect %.2g km, %.2g s, along the track (1 sigma)",
              1e-3 * *error, *delay);
   bool late = isnan(*delay) ? fabs(days) > OLD : *delay > LATE;
-  um_core_log(context, late ? UM_LOG_WARNING : UM_LOG_INFO,
+  bool new = !um_model_origin_says(model, said); /* a variant's origin has warned */
+  um_core_log(context, late && new ? UM_LOG_WARNING : UM_LOG_INFO,
               "orbit: TLE of object %d, epoch %s, %.1f days %s the first observation: %s",
               tle->catalogue_number, epoch, fabs(days), days >= 0.0 ? "before" : "after", means);
   return UM_OK;

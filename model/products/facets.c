@@ -94,6 +94,7 @@ static enum um_status round_run(struct um_context *context, const struct um_mode
     if (off <= round->error) continue;
     round->error = off;
     round->group = g / 2;
+    round->back = g % 2 != 0;
   }
   out->reached = round->error <= limit;
   if (!out->reached && out->nround <= UM_MODEL_FACETS_ROUNDS && mesh->nfacet <= FACETS_MAX)

@@ -11,6 +11,7 @@ struct um_model_facets_round {
   size_t nfacet;
   double error; /* of the mean temperature of a group's side, the largest [K] */
   size_t group; /* that group, of the geometry */
+  bool back;    /* its side */
 };
 
 struct um_model_facets {

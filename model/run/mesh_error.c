@@ -8,8 +8,10 @@
 #include "model/run/mesh_error.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "base/core/planck.h"
+#include "geometry/neighbours.h"
 #include "model/run/thermal_solution_group.h"
 #include "thermal/solver/mesh_error.h"
 
@@ -21,6 +23,8 @@ struct sums {
   double temperature_sum; /* over instants and surfaces, by area */
   double area_sum;
   size_t ntaken;
+  struct um_geometry_pose *pose; /* joints at 0: only lengths are asked of it */
+  uint32_t (*beside)[3];         /* facets beside each other */
 };
 
 static void of_places(const struct um_model *model, const struct um_thermal_mesh_error *error,
@@ -84,8 +88,7 @@ static double of_band(const struct um_model *model, const struct um_model_tables
 static enum um_status of_instant(struct um_context *context, const struct um_model *model,
                                  const struct um_model_tables *tables,
                                  const struct um_model_thermal_solution *heat,
-                                 const struct um_model_result *result,
-                                 const struct um_geometry_pose *pose, size_t i, struct sums *sums,
+                                 const struct um_model_result *result, size_t i, struct sums *sums,
                                  struct um_model_mesh_error *out)
 {
   const struct um_thermal_history *h = heat->run.history;
@@ -93,8 +96,9 @@ static enum um_status of_instant(struct um_context *context, const struct um_mod
   const double *node = h->temperature + (i + (heat->run.before ? 1 : 0)) * h->nnode;
   const double *shown = heat->run.surface + i * um_geometry_mesh(model->geometry)->nsurface;
   enum um_status status = um_thermal_mesh_error_at(
-      context, model->body->network, um_geometry_mesh(model->geometry), pose, tables->loads,
-      &heat->solver.options, tables->seen->t[tables->load_row[i]], node, &error);
+      context, model->body->network, um_geometry_mesh(model->geometry),
+      (const uint32_t(*)[3])sums->beside, sums->pose, tables->loads, &heat->solver.options,
+      tables->seen->t[tables->load_row[i]], node, &error);
   if (status == UM_OK) {
     of_places(model, &error, sums, out);
     for (size_t b = 0; b < out->nband; b++) {
@@ -116,7 +120,6 @@ enum um_status um_model_mesh_error(struct um_context *context, const struct um_m
 {
   enum um_status status;
   struct sums sums = {0};
-  struct um_geometry_pose *pose = NULL;
   double *angles = NULL;
   size_t n = tables->nobs * tables->nsub, step = (n + INSTANTS - 1) / INSTANTS;
   size_t nplace = 2 * um_geometry_group_count(model->geometry);
@@ -124,7 +127,8 @@ enum um_status um_model_mesh_error(struct um_context *context, const struct um_m
   *out = (struct um_model_mesh_error){.nband = result->nmaterial > 0 ? result->nband : 0};
   UM_CHECK(
       um_core_allocate(context, um_geometry_joint_count(model->geometry), sizeof *angles, &angles));
-  UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &pose));
+  UM_CHECK(um_geometry_pose_create(context, model->geometry, angles, &sums.pose));
+  UM_CHECK(um_geometry_neighbours(context, um_geometry_mesh(model->geometry), &sums.beside));
   UM_CHECK(um_core_allocate(context, nplace, sizeof *sums.place, &sums.place));
   UM_CHECK(um_core_allocate(context, nplace, sizeof *sums.area, &sums.area));
   UM_CHECK(um_core_allocate(context, result->nmaterial, sizeof *sums.was, &sums.was));
@@ -135,7 +139,7 @@ enum um_status um_model_mesh_error(struct um_context *context, const struct um_m
   UM_CHECK(um_core_allocate(context, out->nband, sizeof *out->light_mean, &out->light_mean));
   for (size_t i = step / 2; i < n; i += step) {
     UM_CHECK(um_core_stop_check(context, "the error of the facets was estimated"));
-    UM_CHECK(of_instant(context, model, tables, heat, result, pose, i, &sums, out));
+    UM_CHECK(of_instant(context, model, tables, heat, result, i, &sums, out));
   }
   if (sums.ntaken > 0) {
     out->temperature_mean = sums.temperature_sum / sums.area_sum;
@@ -144,7 +148,16 @@ enum um_status um_model_mesh_error(struct um_context *context, const struct um_m
     for (size_t b = 0; b < out->nband; b++) out->light_mean[b] /= (double)sums.ntaken;
   }
 done:
-  UM_FREE(context, angles, sums.place, sums.area, sums.was, sums.would);
-  um_geometry_pose_destroy(context, &pose);
+  UM_FREE(context, angles, sums.place, sums.area, sums.was, sums.would, sums.beside);
+  um_geometry_pose_destroy(context, &sums.pose);
   return status;
+}
+
+const char *um_model_mesh_side(const struct um_model *model, size_t group, bool back,
+                               char text[UM_MODEL_MESH_SIDE])
+{
+  const struct um_geometry_group *of = um_geometry_group(model->geometry, group);
+  snprintf(text, UM_MODEL_MESH_SIDE, "%.70s.%.70s%s",
+           um_geometry_part_name(model->geometry, of->part), of->name, back ? ".back" : "");
+  return text;
 }

@@ -27,15 +27,20 @@ static const struct um_schema_field honeycomb_fields[] = {
 OBJECT(honeycomb_object, struct um_scenario_honeycomb, "honeycomb",
        "A panel of two faces and a core of cells.", FIELDS(honeycomb_fields));
 
+/* What a layer or a solid is made of. */
+#define MATTER                                                                                     \
+  F(material, UM_SCHEMA_TEXT, NAME, HELP("record with density, specific heat, conductivity")),     \
+      F(density_kg_m3, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),                                \
+        HELP("instead of the record's")),                                                          \
+      F(specific_heat_J_kg_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),                         \
+        HELP("instead of the record's")),                                                          \
+      F(conductivity_W_m_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),                           \
+        HELP("instead of the record's"))
+
 #define OF struct um_scenario_layer
 static const struct um_schema_field layer_fields[] = {
     F(thickness_mm, UM_SCHEMA_NUMBER, REQUIRED, POSITIVE(1e4), HELP("of the layer")),
-    F(material, UM_SCHEMA_TEXT, NAME, HELP("record with density, specific heat, conductivity")),
-    F(density_kg_m3, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5), HELP("instead of the record's")),
-    F(specific_heat_J_kg_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
-      HELP("instead of the record's")),
-    F(conductivity_W_m_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
-      HELP("instead of the record's")),
+    MATTER,
     F(cells, UM_SCHEMA_INTEGER, DEFAULT(2), BETWEEN(1, 50),
       HELP("into which its thickness is cut, a node between one and the next")),
 };
@@ -140,12 +145,7 @@ OBJECT(interiors_object, struct um_scenario_interior, "interiors",
        FIELDS(interiors_fields));
 #define OF struct um_scenario_solid
 static const struct um_schema_field solid_fields[] = {
-    F(material, UM_SCHEMA_TEXT, NAME, HELP("record with density, specific heat, conductivity")),
-    F(density_kg_m3, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5), HELP("instead of the record's")),
-    F(specific_heat_J_kg_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
-      HELP("instead of the record's")),
-    F(conductivity_W_m_K, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
-      HELP("instead of the record's")),
+    MATTER,
     F(tetrahedron_size_m, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e3),
       HELP("longest edge wanted; 0: the facet size")),
     F(power_W, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-1e6, 1e6),

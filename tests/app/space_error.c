@@ -83,7 +83,8 @@ static double number_after(const char *text, const char *before)
 
 /* A flat box of 25 kg/m2 whose walls meet at their rims: what a run says of its facets is what much
  * finer ones change, and facets made for it leave as little as was asked for. The wall conducts
- * over sqrt(0.5 / (4 eps sigma T^3)) = 0.4 m, so that facets of 1 m blur the rims. */
+ * over sqrt(0.5 / (4 eps sigma T^3)) = 0.4 m, so that facets of 1 m blur the rims. An estimate that
+ * is within a quarter says whether to refine. */
 static void test_finer_facets(void **state)
 {
   (void)state;
@@ -121,6 +122,35 @@ static void test_finer_facets(void **state)
   assert_true(largest < 0.6);
 }
 
+/* thermal.error_estimate halves all facets once more that a file has cut. Slivers at the rims
+ * become two, others four. */
+static void test_cut_and_halved(void **state)
+{
+  (void)state;
+  unsigned fine, coarse;
+  double largest, mean, said;
+  command_copy_data("slab.yaml");
+  command_write("facets.csv", "round,part,facets,facet\n1,slab,80,3\n");
+  command_expect(0, "run", "slab.yaml", "--no-plots", "--out", "out", "--set",
+                 "thermal.facets=facets.csv", "--set", "thermal.error_estimate=true", NULL);
+  char *log = command_read("out/log.txt"), *at = strstr(log, "error in space: ");
+  assert_non_null(at);
+  print_message("%.*s\n", (int)strcspn(at, "\n"), at);
+  assert_int_equal(sscanf(at,
+                          "error in space: %u surfaces in place of %u change temperatures of "
+                          "places by %lg K",
+                          &fine, &coarse, &said),
+                   3);
+  free(log);
+  assert_true(coarse > 80 && coarse < 100);
+  assert_true(fine > 3 * coarse);
+  command_expect(0, "run", "slab.yaml", "--no-plots", "--out", "fine", "--set",
+                 "thermal.facet_size_m=0.5", NULL);
+  difference("mean_K", false, "temperatures.csv", &largest, &mean);
+  print_message("said %.3g K, facets of half the size %.3g K\n", said, largest);
+  assert_close(said, largest, 0.1 * largest);
+}
+
 /* Halvings that do not fit are refused, each with its line. */
 static void test_refused(void **state)
 {
@@ -150,6 +180,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_said_and_found, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_finer_facets, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_cut_and_halved, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, command_enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

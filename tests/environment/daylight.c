@@ -8,9 +8,7 @@
 #include "environment/ground_view.h"
 #include "environment/scatter_layer_impl.h"
 #include "environment/zones.h"
-#include "tests/support/with_context.h"
-
-static struct um_environment_daylight *daylight;
+#include "tests/environment/daylight_help.h"
 
 static struct um_environment_daylight_pair pair(double sun, double view, double azimuth)
 {
@@ -205,18 +203,6 @@ static void test_land_of_the_zones(void **state)
   check_near("40 to 50 deg north", um_environment_zone_land(45.0 * UM_DEG), 0.52, 1e-9);
 }
 
-static int make(void **state)
-{
-  if (context_set_up(state) != 0) return -1;
-  return um_environment_daylight_make(context, &daylight) == UM_OK ? 0 : -1;
-}
-
-static int release(void **state)
-{
-  um_core_free(context, daylight);
-  return context_tear_down(state);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_layers),
@@ -226,5 +212,5 @@ int main(void)
                                      cmocka_unit_test(test_glint),
                                      cmocka_unit_test(test_glint_from_above),
                                      cmocka_unit_test(test_land_of_the_zones)};
-  return cmocka_run_group_tests(tests, make, release);
+  return cmocka_run_group_tests(tests, daylight_set_up, daylight_tear_down);
 }

@@ -12,15 +12,13 @@
 #include "environment/earth_infrared.h"
 #include "environment/ground_view.h"
 #include "environment/knocke.h"
-#include "tests/support/with_context.h"
+#include "tests/environment/daylight_help.h"
 
 #define DAY     86400.0
 #define EQUINOX (6107.5 * DAY) /* 2016-09-21 0 h */
 
 static const struct um_environment_globe globe = {
     .t_tai = EQUINOX, .pole = {0, 0, 1}, .greenwich = {1, 0, 0}};
-
-static struct um_environment_daylight *daylight;
 
 static struct um_environment knocke(void)
 {
@@ -282,18 +280,6 @@ static void half_and_whole(void **state)
              m / (h * h), 1e-10);
 }
 
-static int make(void **state)
-{
-  if (context_set_up(state) != 0) return -1;
-  return um_environment_daylight_make(context, &daylight) == UM_OK ? 0 : -1;
-}
-
-static int release(void **state)
-{
-  um_core_free(context, daylight);
-  return context_tear_down(state);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -301,5 +287,5 @@ int main(void)
       cmocka_unit_test(any_plate),          cmocka_unit_test(power_balance),
       cmocka_unit_test(uniform_is_uniform), cmocka_unit_test(half_and_whole),
   };
-  return cmocka_run_group_tests(tests, make, release);
+  return cmocka_run_group_tests(tests, daylight_set_up, daylight_tear_down);
 }

@@ -211,21 +211,28 @@ enum um_status um_thermal_heat_of_nodes(struct um_context *context,
 
 /* T_s = (sum_k w_k T_k^4)^(1/4): a surface shows the temperature at which it radiates what the
  * heat balance lets it radiate. */
+double um_thermal_surface_temperature(const struct um_thermal_surface *surface,
+                                      const double *node_temperature)
+{
+  double sum = 0.0, only = 0.0;
+  int used = 0;
+  for (int k = 0; k < 3; k++) {
+    if (surface->node[k] == UM_THERMAL_SPACE) continue;
+    only = node_temperature[surface->node[k]];
+    sum += surface->weight[k] * only * only * only * only;
+    used++;
+  }
+  return used == 0 ? NAN : used == 1 ? only : sqrt(sqrt(sum));
+}
+
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature)
 {
-  for (size_t s = 0; s < network->noutside; s++) {
-    const struct um_thermal_surface *surface = &network->surface[s];
-    double sum = 0.0, only = 0.0;
-    int used = 0;
-    for (int k = 0; k < 3 && network->attached[s]; k++) {
-      if (surface->node[k] == UM_THERMAL_SPACE) continue;
-      only = node_temperature[surface->node[k]];
-      sum += surface->weight[k] * only * only * only * only;
-      used++;
-    }
-    surface_temperature[s] = used == 0 ? NAN : used == 1 ? only : sqrt(sqrt(sum));
-  }
+  for (size_t s = 0; s < network->noutside; s++)
+    surface_temperature[s] =
+        network->attached[s]
+            ? um_thermal_surface_temperature(&network->surface[s], node_temperature)
+            : NAN;
 }
 
 void um_thermal_surface_answers(const struct um_thermal_network *network,

@@ -33,7 +33,6 @@
 #include <string.h>
 
 #include "base/core/constants.h"
-#include "geometry/neighbours.h"
 #include "thermal/network/network_group.h"
 #include "thermal/network/shell_element_group.h"
 #include "thermal/solver/solve.h"
@@ -45,18 +44,15 @@ struct work {
   double *shown;                        /* [nsurface] [K] */
   double *area, *gained;                /* [nnode] [m^2], [W] by surfaces and in plane */
   uint32_t *surfaces;                   /* [nnode] surfaces on it */
-  uint32_t (*beside)[3];                /* [nfacet] facets beside it */
 };
 
 static void work_free(struct um_context *context, struct work *w)
 {
-  UM_FREE(context, w->surface, w->node, w->heat, w->shown, w->area, w->gained, w->surfaces,
-          w->beside);
+  UM_FREE(context, w->surface, w->node, w->heat, w->shown, w->area, w->gained, w->surfaces);
 }
 
 static enum um_status work_make(struct um_context *context,
-                                const struct um_thermal_network *network,
-                                const struct um_geometry_mesh *mesh, struct work *w)
+                                const struct um_thermal_network *network, struct work *w)
 {
   size_t n = network->nsurface;
   UM_TRY(um_core_allocate(context, n, sizeof *w->surface, &w->surface));
@@ -65,18 +61,7 @@ static enum um_status work_make(struct um_context *context,
   UM_TRY(um_core_allocate(context, n, sizeof *w->shown, &w->shown));
   UM_TRY(um_core_allocate(context, network->nnode, sizeof *w->area, &w->area));
   UM_TRY(um_core_allocate(context, network->nnode, sizeof *w->gained, &w->gained));
-  UM_TRY(um_core_allocate(context, network->nnode, sizeof *w->surfaces, &w->surfaces));
-  return um_geometry_neighbours(context, mesh, &w->beside);
-}
-
-/* The temperature at which a surface emits what its corners do. */
-static double shown_by(const struct um_thermal_surface *surface, const double *temperature)
-{
-  double sum = 0.0;
-  for (int k = 0; k < 3; k++)
-    if (surface->node[k] != UM_THERMAL_SPACE)
-      sum += surface->weight[k] * pow(temperature[surface->node[k]], 4);
-  return pow(sum, 0.25);
+  return um_core_allocate(context, network->nnode, sizeof *w->surfaces, &w->surfaces);
 }
 
 /* What each surface gains [W]: the balance of a network of which every surface has a node of its
@@ -95,7 +80,7 @@ static enum um_status gains(struct um_context *context, const struct um_thermal_
     w->surface[s] = network->surface[s];
     w->shown[s] = 1.0; /* of a surface that is attached to nothing */
     if (!network->attached[s]) continue;
-    w->shown[s] = shown_by(&network->surface[s], temperature);
+    w->shown[s] = um_thermal_surface_temperature(&network->surface[s], temperature);
     for (int k = 0; k < 3; k++) {
       w->surface[s].node[k] = k == 0 ? (uint32_t)s : UM_THERMAL_SPACE;
       w->surface[s].weight[k] = k == 0 ? 1.0 : 0.0;
@@ -109,27 +94,42 @@ static bool on_corners(const struct um_thermal_surface *surface)
   return surface->node[2] != UM_THERMAL_SPACE;
 }
 
-/* Heat that a facet's wall conducts in plane to its corners [W]; returns L^2 [m^2]. */
-static double conduct(const struct um_thermal_surface *surface, const uint32_t corner[3],
-                      const struct um_geometry_pose *pose, const double *temperature,
-                      double power[3])
+static void corners_of(const struct um_geometry_pose *pose, const uint32_t corner[3],
+                       struct um_vec3 at[3])
 {
-  struct um_vec3 at[3] = {pose->vertex[corner[0]], pose->vertex[corner[1]],
-                          pose->vertex[corner[2]]};
-  double k[3], squares = 0.0, longest2 = 0.0;
-  um_thermal_shell_element(at, surface->in_plane, k);
-  power[0] = power[1] = power[2] = 0.0;
+  for (int c = 0; c < 3; c++) at[c] = pose->vertex[corner[c]];
+}
+
+/* L^2 of a facet [m^2]. */
+static double length2_of(const struct um_vec3 at[3], double area)
+{
+  double squares = 0.0, longest2 = 0.0;
   for (int e = 0; e < 3; e++) {
-    int i = (e + 1) % 3, j = (e + 2) % 3;
-    struct um_vec3 edge = um_vec3_sub(at[j], at[i]);
-    double flow = k[e] * (temperature[surface->node[j]] - temperature[surface->node[i]]);
-    power[i] += flow;
-    power[j] -= flow;
+    struct um_vec3 edge = um_vec3_sub(at[(e + 1) % 3], at[e]);
     squares += um_vec3_dot(edge, edge);
     longest2 = fmax(longest2, um_vec3_dot(edge, edge));
   }
-  double height2 = 4.0 * surface->area * surface->area / longest2;
-  return fmin(squares / 48.0, height2 / 6.0);
+  return fmin(squares / 48.0, 4.0 * area * area / longest2 / 6.0);
+}
+
+/* Add the heat that a facet's wall conducts in plane to its corners [W]. */
+static void conduct(const struct um_thermal_surface *surface, const struct um_vec3 at[3],
+                    const double *temperature, double *gained)
+{
+  double k[3];
+  um_thermal_shell_element(at, surface->in_plane, k);
+  for (int e = 0; e < 3; e++) {
+    uint32_t i = surface->node[(e + 1) % 3], j = surface->node[(e + 2) % 3];
+    double flow = k[e] * (temperature[j] - temperature[i]);
+    gained[i] += flow;
+    gained[j] -= flow;
+  }
+}
+
+/* Does it lie on a wall that conducts in plane? */
+static bool conducts(const struct um_thermal_surface *surface)
+{
+  return surface->in_plane > 0.0 && on_corners(surface);
 }
 
 /* What nodes gain by their surfaces and by conduction in plane. */
@@ -144,24 +144,22 @@ static void gather(const struct um_thermal_network *network, const struct um_geo
       w->gained[surface->node[k]] += surface->weight[k] * w->heat[s].stored;
       w->surfaces[surface->node[k]]++;
     }
-    if (s >= network->noutside || !(surface->in_plane > 0.0) || !on_corners(surface)) continue;
-    double power[3];
-    conduct(surface, mesh->corner[mesh->surface[s].facet], pose, temperature, power);
-    for (int k = 0; k < 3; k++) w->gained[surface->node[k]] += power[k];
+    if (s >= network->noutside || !conducts(surface)) continue;
+    struct um_vec3 at[3];
+    corners_of(pose, mesh->corner[mesh->surface[s].facet], at);
+    conduct(surface, at, temperature, w->gained);
   }
 }
 
-static double shift_of(const struct um_thermal_surface *surface, const uint32_t corner[3],
-                       const struct um_geometry_pose *pose, const double *temperature,
+static double shift_of(const struct um_thermal_surface *surface, const struct um_vec3 at[3],
                        const struct work *w, size_t s)
 {
-  double power[3], left = -w->heat[s].stored / surface->area, t = w->shown[s];
-  if (!(surface->in_plane > 0.0) || !on_corners(surface)) return 0.0;
+  double left = -w->heat[s].stored / surface->area, t = w->shown[s];
+  if (!conducts(surface)) return 0.0;
   for (int k = 0; k < 3; k++)
     left += surface->weight[k] * w->gained[surface->node[k]] / w->area[surface->node[k]];
-  double length2 = conduct(surface, corner, pose, temperature, power);
-  return left /
-         (surface->in_plane / length2 + 4.0 * UM_STEFAN_BOLTZMANN * surface->emittance * t * t * t);
+  return left / (surface->in_plane / length2_of(at, surface->area) +
+                 4.0 * UM_STEFAN_BOLTZMANN * surface->emittance * t * t * t);
 }
 
 static double spread_between(const struct um_thermal_surface *surface, const double *temperature)
@@ -175,12 +173,13 @@ static double spread_between(const struct um_thermal_surface *surface, const dou
 }
 
 /* By the facets beside it, of the same group and side. */
-static double spread_around(const struct um_geometry_mesh *mesh, const struct work *w, size_t s)
+static double spread_around(const struct um_geometry_mesh *mesh, const uint32_t (*beside)[3],
+                            const struct work *w, size_t s)
 {
   const struct um_geometry_surface *at = &mesh->surface[s];
   double sum = 0.0;
   for (int e = 0; e < 3; e++) {
-    uint32_t f = w->beside[at->facet][e];
+    uint32_t f = beside[at->facet][e];
     if (f == UM_GEOMETRY_NONE || mesh->facet_group[f] != at->group) continue;
     uint32_t other = at->back ? mesh->surface_of_back[f] : mesh->surface_of_front[f];
     if (other == UM_GEOMETRY_NONE) continue;
@@ -192,7 +191,8 @@ static double spread_around(const struct um_geometry_mesh *mesh, const struct wo
 
 enum um_status
 um_thermal_mesh_error_at(struct um_context *context, const struct um_thermal_network *network,
-                         const struct um_geometry_mesh *mesh, const struct um_geometry_pose *pose,
+                         const struct um_geometry_mesh *mesh, const uint32_t (*beside)[3],
+                         const struct um_geometry_pose *pose,
                          const struct um_irradiation_loads *loads,
                          const struct um_thermal_solve_options *options, double t,
                          const double *temperature, struct um_thermal_mesh_error *out)
@@ -204,7 +204,7 @@ um_thermal_mesh_error_at(struct um_context *context, const struct um_thermal_net
   UM_CHECK(um_core_allocate(context, n, sizeof *out->shift, &out->shift));
   UM_CHECK(um_core_allocate(context, n, sizeof *out->spread, &out->spread));
   UM_CHECK(um_core_allocate(context, n, sizeof *out->lone, &out->lone));
-  UM_CHECK(work_make(context, network, mesh, &w));
+  UM_CHECK(work_make(context, network, &w));
   UM_CHECK(gains(context, network, loads, options, t, temperature, &w));
   gather(network, mesh, pose, temperature, &w);
   for (size_t s = 0; s < n; s++) {
@@ -212,11 +212,12 @@ um_thermal_mesh_error_at(struct um_context *context, const struct um_thermal_net
     if (!network->attached[s]) continue;
     if (on_corners(surface)) {
       out->spread[s] = spread_between(surface, temperature);
-      out->shift[s] =
-          shift_of(surface, mesh->corner[mesh->surface[s].facet], pose, temperature, &w, s);
+      struct um_vec3 at[3];
+      corners_of(pose, mesh->corner[mesh->surface[s].facet], at);
+      out->shift[s] = shift_of(surface, at, &w, s);
     } else if (w.surfaces[surface->node[0]] == 1) {
       out->lone[s] = true;
-      out->spread[s] = spread_around(mesh, &w, s);
+      out->spread[s] = spread_around(mesh, beside, &w, s);
       out->shift[s] = 1.5 * out->spread[s] / w.shown[s];
     }
   }

@@ -127,6 +127,9 @@ void um_thermal_heat_of_thermostats(const struct um_thermal_network *network, co
 void um_thermal_surface_answers(const struct um_thermal_network *network,
                                 const double *node_temperature, const float *answer,
                                 double *surface_answer);
+/* The temperature at which a surface emits what its nodes do [K]; NaN of one on no node. */
+double um_thermal_surface_temperature(const struct um_thermal_surface *surface,
+                                      const double *node_temperature);
 /* Temperatures of the surfaces that loads are for from those of the nodes [nnode]. */
 void um_thermal_surface_temperatures(const struct um_thermal_network *network,
                                      const double *node_temperature, double *surface_temperature);
