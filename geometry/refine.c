@@ -181,8 +181,9 @@ enum um_status um_geometry_halve(struct um_geometry_patch *patch, const char *pa
   double *size = NULL;
   if (halving->nfacet != n)
     return um_core_fail(patch->context, UM_ERR_INPUT,
-                        "part '%s': halvings are of %zu facets, but it has %zu", part,
-                        halving->nfacet, n);
+                        "part '%s': halvings are of %zu facets, but it has %zu; accepted: "
+                        "thermal.facets made anew at this facet_size_m, or '' for none",
+                        part, halving->nfacet, n);
   UM_CHECK(um_core_allocate(patch->context, n, sizeof *size, &size));
   for (size_t f = 0; f < n; f++) {
     patch->root[f] = (uint32_t)f;

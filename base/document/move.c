@@ -68,7 +68,7 @@ static enum um_status relative_path(struct um_context *context, const char *fold
 
 static enum um_status move_name(struct move *m, struct um_node *node)
 {
-  if (node->kind != UM_NODE_SCALAR || node->text[0] == '/') return UM_OK;
+  if (node->kind != UM_NODE_SCALAR || node->text[0] == '/' || node->text[0] == '\0') return UM_OK;
   char *path = NULL, *text = NULL;
   enum um_status status;
   UM_CHECK(find_file(m, node->text, &path));

@@ -96,7 +96,7 @@ enum um_status um_model_build_facets(struct um_context *context, struct um_model
   const struct um_scenario_thermal *thermal = model->scenario->thermal;
   const char *path = NULL;
   struct um_core_csv *csv = NULL;
-  if (thermal->facets == NULL) return UM_OK;
+  if (thermal->facets == NULL || thermal->facets[0] == '\0') return UM_OK;
   UM_CHECK(um_model_resolve(context, model, &thermal->at, thermal->facets, &path));
   UM_CHECK(um_core_csv_read(context, path, &csv));
   UM_CHECK(rows_read(context, model, csv));

@@ -39,7 +39,7 @@ static const struct um_schema_field thermal_fields[] = {
       HELP("longest facet edge; default: as coarse as the shapes allow")),
     F(facets, UM_SCHEMA_TEXT, NAMES_FILE,
       HELP("CSV of umbra export --as facets: facets that are cut further, each as often as its "
-           "temperature asks for")),
+           "temperature asks for; '': none")),
     F(facet_error_K, UM_SCHEMA_NUMBER, DEFAULT(0.5), BETWEEN(1e-3, 100),
       HELP("umbra export --as facets: what the mean temperature of a group's side may be off by")),
     F(step_s, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e5),
