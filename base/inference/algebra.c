@@ -5,9 +5,11 @@
  *   A S^-1 P = Q R,   S = diag |a_j|,   |R_11| >= |R_22| >= ...
  *
  * The rank is the number of |R_jj| above a tolerance. What follows those is 0 to within it, so the
- * unknowns beyond the rank are set to 0 (the basic solution). All memory is the context's. */
+ * unknowns beyond the rank are set to 0 (the basic solution). All memory of it is the context's.
+ * Eigenvalues are GSL's. */
 #include "base/inference/algebra.h"
 
+#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -188,4 +190,29 @@ void um_inference_qr_compress(const struct um_inference_qr *qr, double *r)
   for (size_t i = 0; i < n && i < qr->nrow; i++)
     for (size_t j = i; j < n; j++)
       r[qr->order[j] * n + i] = qr->a[i * n + j] * qr->scale[qr->order[j]];
+}
+
+enum um_status um_inference_eigen(struct um_context *context, size_t n, double *a, double *value,
+                                  double *vector)
+{
+  enum um_status status = UM_OK;
+  gsl_set_error_handler_off();
+  gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
+  gsl_matrix *columns = gsl_matrix_alloc(n, n);
+  if (work == NULL || columns == NULL) {
+    status = um_core_fail(context, UM_ERR_MEMORY, "out of memory");
+    goto done;
+  }
+  gsl_matrix_view matrix = gsl_matrix_view_array(a, n, n);
+  gsl_vector_view values = gsl_vector_view_array(value, n);
+  int error = gsl_eigen_symmv(&matrix.matrix, &values.vector, columns, work);
+  if (error == 0) error = gsl_eigen_symmv_sort(&values.vector, columns, GSL_EIGEN_SORT_VAL_DESC);
+  if (error != 0)
+    status = um_core_fail(context, UM_ERR_LIBRARY, "eigenvalues: %s", gsl_strerror(error));
+  for (size_t k = 0; k < n; k++)
+    for (size_t i = 0; i < n; i++) vector[k * n + i] = gsl_matrix_get(columns, i, k);
+done:
+  if (work != NULL) gsl_eigen_symmv_free(work);
+  if (columns != NULL) gsl_matrix_free(columns);
+  return status;
 }

@@ -36,6 +36,11 @@ void um_inference_qr_covariance(const struct um_inference_qr *qr, double *work, 
 /* A as a square system: r [ncolumn][ncolumn] by columns in A's own order, r'r = A'A. */
 void um_inference_qr_compress(const struct um_inference_qr *qr, double *r);
 
+/* Eigenvalues [n] of a symmetric matrix a [n][n], falling, and their orthonormal vectors [n][n]; a
+ * is overwritten. UM_ERR_LIBRARY, UM_ERR_MEMORY. */
+enum um_status um_inference_eigen(struct um_context *context, size_t n, double *a, double *value,
+                                  double *vector);
+
 double um_inference_dot(size_t n, const double *a, const double *b);
 
 #endif

@@ -74,6 +74,7 @@ static enum um_status start(struct um_context *context, struct um_inference_desc
           "sigma %g",
           i + 1, p->measured[i], d->value_trial[i], p->sigma[i]);
   }
+  um_inference_noise_whiten(p->noise, d->r_trial);
   accept(d);
   return UM_OK;
 }
@@ -94,10 +95,12 @@ enum um_status um_inference_descent_begin(struct um_context *context,
   }
   if (out->n == 0) return UM_OK;
   if (problem->jacobian == NULL) return um_inference_descent_differences(context, out);
-  for (size_t j = 0; j < out->n; j++)
+  for (size_t j = 0; j < out->n; j++) {
+    double *column = out->jacobian + j * out->nobservation;
     for (size_t i = 0; i < out->nobservation; i++)
-      out->jacobian[j * out->nobservation + i] =
-          problem->jacobian[j * out->nobservation + i] / problem->sigma[i];
+      column[i] = problem->jacobian[j * out->nobservation + i] / problem->sigma[i];
+    um_inference_noise_whiten(problem->noise, column);
+  }
   memcpy(out->base_jacobian, out->jacobian, out->n * out->nobservation * sizeof *out->jacobian);
   memcpy(out->base_x, out->x, out->n * sizeof *out->x);
   memcpy(out->base_r, out->r, out->nobservation * sizeof *out->r);

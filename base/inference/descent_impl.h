@@ -4,7 +4,8 @@
 
 #include "base/inference/fit_problem.h"
 
-/* Where a fit stands. Residuals r = (measured - value) / sigma, Jacobian d(value / sigma)/dx. */
+/* Where a fit stands. Residuals r = C^-1/2 (measured - value) / sigma, C the noise of the problem,
+ * Jacobian C^-1/2 d(value / sigma)/dx. */
 struct um_inference_descent {
   const struct um_inference_fit_problem *problem;
   size_t n, nobservation;

@@ -3,7 +3,7 @@
  * result says: with J whitened at the solution and W the priors' widths, over the parameters that
  * are free,
  *
- *   covariance = (J'J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nobservation
+ *   covariance = (J'C^-1 J + W^-2)^-1,   BIC = chi2 + chi2_prior + nparameter ln nobservation
  *
  * (Schwarz 1978, Ann. Stat. 6:461). */
 #include "base/inference/fit.h"
@@ -66,12 +66,17 @@ static enum um_status reserve(struct um_context *context, struct um_inference_fi
   return um_core_allocate(context, n * fit->nobservation, sizeof *fit->jacobian, &fit->jacobian);
 }
 
+/* Residual and Jacobian over sigma alone, whatever the noise. */
 static void take(struct um_inference_fit *fit, const struct um_inference_descent *d)
 {
+  struct um_inference_noise *noise = d->problem->noise;
   memcpy(fit->x, d->x, fit->nparameter * sizeof *fit->x);
   memcpy(fit->value, d->value, fit->nobservation * sizeof *fit->value);
   memcpy(fit->residual, d->r, fit->nobservation * sizeof *fit->residual);
   memcpy(fit->jacobian, d->jacobian, fit->nparameter * fit->nobservation * sizeof *fit->jacobian);
+  um_inference_noise_colour(noise, fit->residual);
+  for (size_t j = 0; j < fit->nparameter; j++)
+    um_inference_noise_colour(noise, fit->jacobian + j * fit->nobservation);
   fit->iterations = d->iterations;
   fit->evaluations = d->evaluations;
   fit->converged = d->converged;
@@ -101,6 +106,7 @@ static enum um_status find_covariance(struct um_context *context,
     if (fit->at_bound[j]) continue; /* a column of 0 is beyond the rank */
     memcpy(column + j * total, fit->jacobian + j * fit->nobservation,
            fit->nobservation * sizeof *column);
+    um_inference_noise_whiten(problem->noise, column + j * total);
     column[j * total + fit->nobservation + j] = 1.0 / problem->parameter[j].prior_sigma;
   }
   UM_CHECK(um_inference_qr_create(context, total, n, column, UM_INFERENCE_RANK_TOLERANCE, &qr));

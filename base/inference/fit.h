@@ -19,7 +19,7 @@ struct um_inference_fit {
   double *value;      /* [nobservation] model at x */
   double *residual;   /* [nobservation] (measured - value) / sigma */
   double *jacobian;   /* [nparameter][nobservation] d(value)/d(x) / sigma, at or near x */
-  double chi2;        /* of the observations */
+  double chi2;        /* of the observations: r'C^-1 r where the problem has a noise */
   double chi2_prior;  /* of the priors */
   double bic;         /* chi2 + chi2_prior + nparameter ln nobservation */
 };

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "base/core/context.h"
+#include "base/inference/noise.h"
 
 struct um_inference_fit_parameter {
   double start, minimum, maximum;
@@ -46,6 +47,8 @@ struct um_inference_fit_problem {
    * predicted reduction would not bring it there. */
   bool prunes;
   double prune_above;
+  /* NULL: residuals over sigma are white noise. Else chi-square is r'C^-1 r of it; borrowed */
+  struct um_inference_noise *noise;
 };
 
 #endif

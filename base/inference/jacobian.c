@@ -20,6 +20,7 @@ static bool residuals(struct um_inference_descent *d, const double *value)
     d->r_trial[i] = (p->measured[i] - value[i]) / p->sigma[i];
     finite = finite && isfinite(d->r_trial[i]);
   }
+  if (finite) um_inference_noise_whiten(p->noise, d->r_trial);
   return finite;
 }
 

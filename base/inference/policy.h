@@ -43,4 +43,25 @@
 #define UM_INFERENCE_PRUNE_FACTOR 4.0
 #define UM_INFERENCE_PRUNE_STEPS  2
 
+/* ---- noise that is more than sigma (noise.c) ---- */
+
+/* Share of the trace of a correlation [1] that is left out, and most vectors of a channel: more is
+ * no discrepancy but noise. HAND. */
+#define UM_INFERENCE_CORRELATION_LEFT 1e-4
+#define UM_INFERENCE_CORRELATION_RANK 256
+/* Ratios of a discrepancy to noise [1] that are looked through. HAND: less is not seen in a
+ * thousand rows, more is no discrepancy. */
+#define UM_INFERENCE_RATIO_LEAST 0.02
+#define UM_INFERENCE_RATIO_MOST  500.0
+/* Distance of a row from what the others foretell [sigma] at which it is an outlier. Convention:
+ * 7e-6 by chance. */
+#define UM_INFERENCE_OUTLIER 4.5
+/* Share of rows that are outliers before anything is known [1], and at most in a channel. HAND. */
+#define UM_INFERENCE_OUTLIERS      0.02
+#define UM_INFERENCE_OUTLIERS_MOST 0.1
+/* Looks for outliers, the noise learnt anew before each. HAND. */
+#define UM_INFERENCE_LOOKS 4
+/* Scatters at which a residual is cut before outliers are looked for [1]. HAND. */
+#define UM_INFERENCE_WINSOR 3.0
+
 #endif

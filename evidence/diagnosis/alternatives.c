@@ -106,6 +106,9 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
 {
   double n = (double)work->forward->observations.count;
   if (ahead == NULL) return false;
+  /* what one leaves may be a discrepancy: then it is BIC that noise alone cannot come below */
+  if (work->noise != NULL)
+    return ahead->bic < n + (double)(state->nparameter + nunidentified + 1) * (log(n) - 1.0);
   return ahead->chi2 - (double)nunidentified * log(n) <
          n - (double)(state->nparameter + nunidentified + 1);
 }

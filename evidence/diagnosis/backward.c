@@ -23,7 +23,8 @@ static enum um_status try_without(struct um_context *context, const struct um_di
   struct um_diagnosis_state trial = {0};
   *removed = false;
   UM_TRY(um_diagnosis_without(context, work, state, b, &trial));
-  if (trial.fit->bic <= state->fit->bic) {
+  double ask = work->noise == NULL ? 0.0 : UM_DIAGNOSIS_EVIDENCE;
+  if (trial.fit->bic <= state->fit->bic + ask) {
     um_diagnosis_state_release(context, state);
     *state = trial;
     trial = (struct um_diagnosis_state){0};
@@ -40,7 +41,8 @@ enum um_status um_diagnosis_backward(struct um_context *context,
   for (size_t b = state->nnuisance; b + 1 < state->nblock;) {
     bool removed = false;
     size_t candidate = state->block[b].candidate;
-    if (!is_clear(state, b)) UM_TRY(try_without(context, work, state, b, &removed));
+    if (work->noise != NULL || !is_clear(state, b))
+      UM_TRY(try_without(context, work, state, b, &removed));
     if (!removed) b++;
     for (size_t s = 0; s < d->nstep && removed; s++)
       if (d->step[s].candidate == candidate) d->step[s].removed = true;

@@ -1,12 +1,14 @@
 /* The method, step by step. Fit the nuisances. Test, fit and add effects one after another, until
- * nothing significant is left. Remove what is no longer needed. Say what is found and what cannot
- * be known. */
+ * nothing significant is left. Remove what is no longer needed. Where the end is not noise of the
+ * stated sigma, learn what it is and search anew: an effect must beat what a discrepancy of the
+ * model explains. Say what is found and what cannot be known. */
 #include "evidence/diagnosis/diagnose.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "evidence/diagnosis/diagnosis_impl.h"
+#include "evidence/diagnosis/discrepancy_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
@@ -159,14 +161,16 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
   struct um_missing_heat_unexplained *heat = NULL;
   if (work->options->no_heat) return UM_OK;
   UM_TRY(look_for_heat(context, work, bare, &heat));
-  bool better = d->naddition > 0 && heat->nheat > 0 &&
-                um_diagnosis_pulse_bic(heat, bare->fit) < state->fit->bic;
-  if (d->naddition > 0 && !better) {
+  bool explained = d->verdict != UM_VERDICT_UNEXPLAINED; /* with a discrepancy */
+  bool better = heat->nheat > 0 && um_diagnosis_pulse_bic(heat, bare->fit) <
+                                       state->fit->bic - (explained ? UM_DIAGNOSIS_EVIDENCE : 0.0);
+  if ((d->naddition > 0 || explained) && !better) {
     um_missing_heat_unexplained_destroy(context, &heat);
-    return look_for_heat(context, work, state, &d->unexplained);
+    return explained ? UM_OK : look_for_heat(context, work, state, &d->unexplained);
   }
   d->unexplained = heat;
-  if (!better) return UM_OK;
+  d->verdict = UM_VERDICT_UNEXPLAINED;
+  if (d->naddition == 0) return UM_OK;
   um_diagnosis_steps_clear(context, d);
   um_diagnosis_state_release(context, state);
   UM_TRY(um_diagnosis_state_copy(context, bare, bare->nblock, state));
@@ -174,27 +178,101 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
   return keep_end(context, work, state, d);
 }
 
-static enum um_status diagnose(struct um_context *context, const struct um_diagnosis_work *work,
-                               struct um_diagnosis_state *state, struct um_diagnosis *d)
+/* The search, with the noise of the work. bare: the scenario with its nuisances. */
+static enum um_status search(struct um_context *context, const struct um_diagnosis_work *work,
+                             struct um_diagnosis_state *state, struct um_diagnosis_state *bare,
+                             struct um_diagnosis *d)
+{
+  UM_TRY(baseline(context, work, state, d));
+  UM_TRY(um_diagnosis_state_copy(context, state, state->nblock, bare));
+  UM_TRY(um_diagnosis_state_fit(context, work, bare, state->fit->value, NULL, INFINITY));
+  UM_TRY(keep_ranking(context, work, state, d));
+  UM_TRY(go_forward(context, work, state, d));
+  return keep_end(context, work, state, d);
+}
+
+/* Whether two searches ended with the same effects. */
+static bool ends_alike(const struct um_diagnosis *a, const struct um_diagnosis *b)
+{
+  if (a->naddition != b->naddition) return false;
+  for (size_t i = 0; i < a->naddition; i++) {
+    bool there = false;
+    for (size_t j = 0; j < b->naddition && !there; j++)
+      there = a->addition[i].effect == b->addition[j].effect &&
+              a->addition[i].target == b->addition[j].target;
+    if (!there) return false;
+  }
+  return true;
+}
+
+/* The search anew, with the noise that the end of the last one has. *same: it ends alike. */
+static enum um_status search_anew(struct um_context *context, struct um_diagnosis_work *work,
+                                  const struct um_inference_noise_family *family,
+                                  struct um_diagnosis_state *state, struct um_diagnosis_state *bare,
+                                  struct um_diagnosis **d, bool *same)
 {
   enum um_status status;
-  struct um_diagnosis_state bare = {0};
-  UM_CHECK(baseline(context, work, state, d));
-  UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &bare));
-  UM_CHECK(um_diagnosis_state_fit(context, work, &bare, state->fit->value, NULL, INFINITY));
-  UM_CHECK(keep_ranking(context, work, state, d));
-  UM_CHECK(go_forward(context, work, state, d));
-  UM_CHECK(keep_end(context, work, state, d));
-  d->verdict = um_diagnosis_judge(state, d);
-  if (d->verdict == UM_VERDICT_UNEXPLAINED) UM_CHECK(weigh_heat(context, work, state, &bare, d));
-  um_diagnosis_confidence_assign(d);
-  UM_CHECK(look_at_residual(context, work, &bare, d));
-  if (!work->options->no_next) UM_CHECK(um_diagnosis_next_find(context, work, state, d));
-  UM_CHECK(um_diagnosis_missed_find(context, work, d));
-  UM_CHECK(um_diagnosis_summary_write(context, d, &d->summary));
+  struct um_diagnosis *next = NULL;
+  struct um_inference_noise noise = {0};
+  UM_CHECK(um_inference_noise_learn(context, family, state->fit->residual, NULL, &noise));
+  *same = um_inference_noise_is_white(&noise);
+  if (*same) goto done;
+  um_inference_noise_release(context, work->noise);
+  *work->noise = noise;
+  noise = (struct um_inference_noise){0};
+  um_diagnosis_state_release(context, state);
+  um_diagnosis_state_release(context, bare);
+  UM_CHECK(um_core_allocate(context, 1, sizeof *next, &next));
+  next->forward = work->forward;
+  next->candidates = (*d)->candidates;
+  next->level = work->level;
+  next->weighed = true;
+  memset(work->fate, 0, work->candidates->count * sizeof *work->fate);
+  UM_CHECK(search(context, work, state, bare, next));
+  next->baseline_whiteness = (*d)->baseline_whiteness; /* of sigma as it is stated */
+  *same = ends_alike(*d, next);
+  um_diagnosis_destroy(context, d);
+  *d = next;
+  next = NULL;
 done:
-  um_diagnosis_state_release(context, &bare);
+  um_inference_noise_release(context, &noise);
+  um_diagnosis_destroy(context, &next);
   return status;
+}
+
+/* Where what is left is not noise of the stated sigma: searches by what it is. */
+static enum um_status search_with_noise(struct um_context *context, struct um_diagnosis_work *work,
+                                        struct um_inference_noise *noise,
+                                        struct um_diagnosis_discrepancy *discrepancy,
+                                        struct um_diagnosis_state *state,
+                                        struct um_diagnosis_state *bare, struct um_diagnosis **d)
+{
+  if (um_diagnosis_is_noise(&(*d)->final_whiteness)) return UM_OK;
+  UM_TRY(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
+  bool same = false;
+  for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !same; round++) {
+    work->noise = noise;
+    UM_TRY(search_anew(context, work, &discrepancy->family, state, bare, d, &same));
+    if (!(*d)->weighed) work->noise = NULL;
+  }
+  return UM_OK;
+}
+
+/* What the search means, and what follows from it. */
+static enum um_status conclude(struct um_context *context, const struct um_diagnosis_work *work,
+                               struct um_diagnosis_state *state,
+                               const struct um_diagnosis_state *bare, struct um_diagnosis *d)
+{
+  UM_TRY(um_diagnosis_scatter_describe(context, work, state, d));
+  d->verdict = um_diagnosis_judge(state, d);
+  if (d->verdict == UM_VERDICT_UNEXPLAINED || d->weighed)
+    UM_TRY(weigh_heat(context, work, state, bare, d));
+  um_diagnosis_confidence_assign(d);
+  um_diagnosis_probabilities_assign(bare, d);
+  UM_TRY(look_at_residual(context, work, bare, d));
+  if (!work->options->no_next) UM_TRY(um_diagnosis_next_find(context, work, state, d));
+  UM_TRY(um_diagnosis_missed_find(context, work, d));
+  return um_diagnosis_summary_write(context, d, &d->summary);
 }
 
 static enum um_status begin(struct um_context *context, struct um_sensitivity_forward *forward,
@@ -225,17 +303,24 @@ enum um_status um_diagnosis_create(struct um_context *context,
 {
   enum um_status status;
   struct um_diagnosis_work work = {0};
-  struct um_diagnosis_state state = {0};
+  struct um_diagnosis_state state = {0}, bare = {0};
+  struct um_diagnosis_discrepancy discrepancy = {0};
+  struct um_inference_noise noise = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
   UM_CHECK(begin(context, forward, candidates, options, &work, &d));
   d->candidates = candidates;
-  UM_CHECK(diagnose(context, &work, &state, d));
+  UM_CHECK(search(context, &work, &state, &bare, d));
+  UM_CHECK(search_with_noise(context, &work, &noise, &discrepancy, &state, &bare, &d));
+  UM_CHECK(conclude(context, &work, &state, &bare, d));
   *out = d;
   d = NULL;
 done:
   UM_FREE(context, work.fate, work.fold);
+  um_inference_noise_release(context, &noise);
+  um_diagnosis_discrepancy_release(context, &discrepancy);
   um_diagnosis_state_release(context, &state);
+  um_diagnosis_state_release(context, &bare);
   um_diagnosis_destroy(context, &d);
   return status;
 }
@@ -276,6 +361,8 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   UM_CHECK(um_diagnosis_add_wanted(context, &work, wanted, nwanted, &state));
   UM_CHECK(keep_end(context, &work, &state, d));
   put_as_wanted(wanted, d);
+  d->probability =
+      (struct um_diagnosis_probability){NAN, NAN, NAN, NAN}; /* nothing else was asked */
   d->verdict =
       um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
   UM_CHECK(um_diagnosis_summary_write(context, d, &d->summary));

@@ -59,7 +59,7 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   UM_FREE(context, d->summary, d->step, d->value_before, d->ranking);
   um_diagnosis_next_clear(context, d);
   um_missing_heat_residual_release(context, &d->residual);
-  UM_FREE(context, d->superseded, d->missed);
+  UM_FREE(context, d->superseded, d->missed, d->scatter, d->outlier);
   um_missing_heat_unexplained_destroy(context, &d->unexplained);
   um_core_free(context, d);
   *diagnosis = NULL;

@@ -20,8 +20,9 @@ struct um_diagnosis_alternative {
       sigma[UM_EFFECT_PARAMETERS_MAX]; /* of the effect's parameters */
   double chi2, bic, held_out;          /* with it added; NaN when not fitted */
   double chi2_prior;                   /* of all priors, within bic */
-  double chi2_difference;              /* expected chi-square between the winner and it */
-  bool indistinguishable;              /* from the winner: fitted, and within the evidence of it */
+  double probability;     /* among the fitted ones of its step and none of them; 0: not fitted */
+  double chi2_difference; /* expected chi-square between the winner and it */
+  bool indistinguishable; /* from the winner: fitted, and within the evidence of it */
   bool not_tried;   /* the linear model rates it as good as the winner, but it was not fitted */
   bool refused;     /* not fitted: the model refuses its values */
   bool implausible; /* further than 3 prior widths from its null value */
@@ -95,6 +96,22 @@ struct um_diagnosis_missed {
   bool tested; /* by the linear model, at the values where its search begins */
 };
 
+/* How observations of a channel scatter about the model, where that is more than their sigma. */
+struct um_diagnosis_scatter {
+  size_t channel;            /* of the measurements */
+  double scale;              /* on sigma, 1 or more */
+  const char *along;         /* what a discrepancy of the model goes with; NULL: there is none */
+  double sigmas, rms, share; /* of the discrepancy, rms: over sigma [1], linear unit of the channel,
+                                over the rms of the measurements [1] */
+  double of_before;          /* over the residual of the scenario, both over sigma [1] */
+};
+
+/* Of what is missing; they sum to 1. */
+struct um_diagnosis_probability {
+  double nothing, one, several; /* effects of the catalogue */
+  double none;                  /* something that the catalogue has not */
+};
+
 struct um_diagnosis {
   enum um_diagnosis_verdict verdict;
   char *summary;                                /* the verdict in words, for a person */
@@ -116,6 +133,12 @@ struct um_diagnosis {
   struct um_diagnosis_alternative *ranking; /* [nranking] of all candidates on the baseline, by p */
   size_t nranking;
   double bic_after;
+  size_t nscatter;
+  struct um_diagnosis_scatter *scatter; /* [nscatter] */
+  size_t noutlier;
+  size_t *outlier; /* [noutlier] rows of the measurements that were set aside */
+  struct um_diagnosis_probability probability;
+  bool weighed;   /* by a noise that was learnt */
   bool allowance; /* the residual is not quite noise, and was accepted all the same */
   struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,
                                                nor where the model is complete */

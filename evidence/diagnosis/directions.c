@@ -8,7 +8,7 @@
 
 void um_diagnosis_directions_release(struct um_context *context, struct um_diagnosis_directions *d)
 {
-  UM_FREE(context, d->direction, d->column, d->bound, d->nuisance_sigma);
+  UM_FREE(context, d->direction, d->column, d->bound, d->nuisance_sigma, d->nuisance_column);
 }
 
 /* Unit of a direction [transformed]: the step of its difference, so that a
@@ -61,11 +61,12 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
     double *low = d->bound + at, *high = low + columns, *prior = high + columns;
     double slope[UM_EFFECT_PARAMETERS_MAX];
     bounds_of(c, low, high, prior, slope);
-    for (size_t k = 0; k < c->ncolumn; k++)
-      for (size_t j = 0; j < n; j++)
-        d->column[(at + k) * n + j] = c->insensitive ? 0.0
-                                                     : slope[k] * c->signature[k * n + j] /
-                                                           work->forward->observations.sigma[j];
+    for (size_t k = 0; k < c->ncolumn; k++) {
+      double *column = d->column + (at + k) * n;
+      for (size_t j = 0; j < n && !c->insensitive; j++)
+        column[j] = slope[k] * c->signature[k * n + j] / work->forward->observations.sigma[j];
+      um_inference_noise_whiten(work->noise, column);
+    }
     d->direction[i] = (struct um_inference_direction){c->ncolumn, d->column + at * n, low, high,
                                                       prior,      c->trials};
     at += c->ncolumn;
@@ -73,13 +74,19 @@ enum um_status um_diagnosis_directions_make(struct um_context *context,
   for (size_t b = 0, k = 0; b < state->nblock; b++)
     for (size_t p = 0; p < state->block[b].nfree; p++)
       d->nuisance_sigma[k++] = state->block[b].prior_sigma[p];
+  UM_TRY(um_core_allocate(context, state->nparameter * n, sizeof(double), &d->nuisance_column));
+  for (size_t k = 0; k < state->nparameter; k++) {
+    memcpy(d->nuisance_column + k * n, state->fit->jacobian + k * n, n * sizeof(double));
+    um_inference_noise_whiten(work->noise, d->nuisance_column + k * n);
+  }
   d->nuisance =
-      (struct um_inference_nuisance){state->nparameter, state->fit->jacobian, d->nuisance_sigma};
+      (struct um_inference_nuisance){state->nparameter, d->nuisance_column, d->nuisance_sigma};
   return UM_OK;
 }
 
 /* Residual with the parameters at the means of their priors. */
-void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out)
+void um_diagnosis_residual_at_means(const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, size_t n, double *out)
 {
   const struct um_inference_fit *fit = state->fit;
   memcpy(out, fit->residual, n * sizeof *out);
@@ -89,6 +96,7 @@ void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size
       if (isinf(state->block[b].prior_sigma[p])) continue;
       for (size_t j = 0; j < n; j++) out[j] += fit->jacobian[k * n + j] * away;
     }
+  um_inference_noise_whiten(work->noise, out);
 }
 
 bool um_diagnosis_is_same_effect(const struct um_sensitivity_candidate *a,

@@ -43,7 +43,7 @@ static enum um_status left_make(struct um_context *context, const struct um_diag
     columns += d->direction[i].ncolumn;
   }
   UM_CHECK(um_core_allocate(context, rows, sizeof *residual, &residual));
-  um_diagnosis_residual_at_means(state, rows, residual);
+  um_diagnosis_residual_at_means(work, state, rows, residual);
   UM_CHECK(um_inference_projection_create(context, rows, &d->nuisance, &projection));
   left->n = projection.nleft;
   UM_CHECK(um_core_allocate(context, columns * left->n, sizeof *left->column, &left->column));

@@ -32,6 +32,23 @@
  * by chance. */
 #define UM_DIAGNOSIS_MOVED 5.0
 
+/* ---- a discrepancy of the model (discrepancy.c, scatter.c) ---- */
+
+/* Shortest scale of time [s], and distances over which phases of the orbit [rad] and directions in
+ * the body [rad] are alike. HAND: an eighth of a turn of the orbit, 20 deg. */
+#define UM_DIAGNOSIS_SHORTEST        15.0
+#define UM_DIAGNOSIS_ALIKE_IN_ORBIT  0.8
+#define UM_DIAGNOSIS_ALIKE_IN_ASPECT 0.35
+/* Times that the noise is learnt and the search made anew, at most. HAND. */
+#define UM_DIAGNOSIS_NOISE_ROUNDS 3
+/* A discrepancy that is too large to be called one: above these sigmas, and this temperature [K] or
+ * share of the light [1], and this share of what the scenario was off by [1]. HAND: models of
+ * spacecraft that are held to be right are within 3 K of tests (ECSS-E-ST-31C asks 5 K). */
+#define UM_DIAGNOSIS_LARGE_SIGMAS      3.0
+#define UM_DIAGNOSIS_LARGE_TEMPERATURE 2.0
+#define UM_DIAGNOSIS_LARGE_LIGHT       0.05
+#define UM_DIAGNOSIS_LARGE_SHARE       0.3
+
 /* ---- one effect against another ---- */
 
 /* Difference of BIC [1] that decides: odds exp(10 / 2) = 148 to 1, "very strong" of Kass & Raftery
@@ -53,6 +70,12 @@
  * which a value is implausible. Convention: one and three sigma. */
 #define UM_DIAGNOSIS_UNUSUAL     1.0
 #define UM_DIAGNOSIS_IMPLAUSIBLE 3.0
+/* Priors [1] of nothing, of one effect, of several, of what the catalogue has not. HAND: somebody
+ * who asks has a reason; a model that is held to be right mostly is. */
+#define UM_DIAGNOSIS_PRIOR_NOTHING 0.5
+#define UM_DIAGNOSIS_PRIOR_ONE     0.35
+#define UM_DIAGNOSIS_PRIOR_SEVERAL 0.1
+#define UM_DIAGNOSIS_PRIOR_NONE    0.05
 /* Parameters of a pulse in BIC [1]. Counted: place, start, stop, power. */
 #define UM_DIAGNOSIS_OF_A_PULSE 4.0
 

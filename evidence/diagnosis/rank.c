@@ -69,7 +69,7 @@ enum um_status um_diagnosis_rank(struct um_context *context, const struct um_dia
   UM_CHECK(um_diagnosis_directions_make(context, work, state, &d));
   UM_CHECK(um_core_allocate(context, count, sizeof *score, &score));
   UM_CHECK(um_core_allocate(context, n, sizeof *residual, &residual));
-  um_diagnosis_residual_at_means(state, n, residual);
+  um_diagnosis_residual_at_means(work, state, n, residual);
   UM_CHECK(um_inference_score_test(context, n, residual, &d.nuisance, count, d.direction, score));
   for (size_t i = 0; i < count; i++)
     for (size_t k = 0; k < d.direction[i].ncolumn; k++) {

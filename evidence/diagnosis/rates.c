@@ -20,7 +20,7 @@ enum um_status um_diagnosis_start_along(struct um_context *context,
   double *residual = NULL;
   UM_CHECK(um_diagnosis_directions_make(context, work, before, &d));
   UM_CHECK(um_core_allocate(context, n, sizeof *residual, &residual));
-  um_diagnosis_residual_at_means(before, n, residual);
+  um_diagnosis_residual_at_means(work, before, n, residual);
   UM_CHECK(um_inference_score_test(context, n, residual, &d.nuisance, 1,
                                    &d.direction[block->candidate], &score));
   for (size_t k = 0; k < c->ncolumn; k++) {

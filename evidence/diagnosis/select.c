@@ -1,6 +1,7 @@
 /* One step of forward selection: the residual is tested, the best alternative by evidence is added.
  */
 
+#include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
 
@@ -27,6 +28,7 @@ enum um_status um_diagnosis_step_fill(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *signal, &signal));
   for (size_t j = 0; j < n; j++)
     signal[j] = (best->fit->value[j] - state->fit->value[j]) / work->forward->observations.sigma[j];
+  um_inference_noise_whiten(work->noise, signal);
   UM_CHECK(um_diagnosis_rank_groups(context, work, state, signal, step));
 done:
   um_core_free(context, signal);
@@ -48,7 +50,9 @@ enum um_status um_diagnosis_select(struct um_context *context, const struct um_d
     significant |= step->alternative[i].score.p_corrected < work->level;
   if (!significant) goto done;
   UM_CHECK(um_diagnosis_fit_alternatives(context, work, state, step, &best));
-  if (best.fit == NULL || !(best.fit->bic < state->fit->bic)) goto done;
+  /* against a discrepancy that explains as much, chance is no measure */
+  double ask = work->noise == NULL ? 0.0 : UM_DIAGNOSIS_EVIDENCE;
+  if (best.fit == NULL || !(best.fit->bic < state->fit->bic - ask)) goto done;
   UM_CHECK(um_diagnosis_step_fill(context, work, state, &best, step));
   um_diagnosis_state_release(context, state);
   *state = best;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/inference/algebra.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 
@@ -112,6 +113,22 @@ static double chi2_of_bic(const struct um_diagnosis_work *work,
   return bic - (double)state->nparameter * log((double)work->forward->observations.count);
 }
 
+/* BIC with the noise that the fit's own residual has the largest likelihood with: what another
+ * explanation leaves may be discrepancy, too, and is paid for as such. Chi-square is that of white
+ * noise again. */
+static enum um_status judge_by_own_noise(struct um_context *context,
+                                         const struct um_diagnosis_work *work,
+                                         struct um_inference_fit *fit)
+{
+  struct um_inference_noise own = {0};
+  double n = (double)fit->nobservation;
+  UM_TRY(um_inference_noise_learn(context, work->noise->family, fit->residual, work->noise, &own));
+  fit->chi2 = um_inference_dot(fit->nobservation, fit->residual, fit->residual);
+  fit->bic = own.worth + fit->chi2_prior + (double)fit->nparameter * log(n);
+  um_inference_noise_release(context, &own);
+  return UM_OK;
+}
+
 enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
@@ -135,14 +152,18 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .jacobian = jacobian,
                                              .value = value,
                                              .iterations_max = iterations(work, state),
-                                             .prunes = isfinite(prune_above),
+                                             .noise = work->noise,
+                                             .prunes = work->noise == NULL && isfinite(prune_above),
                                              .prune_above = chi2_of_bic(work, state, prune_above)};
   UM_CHECK(um_inference_fit_create(context, &problem, &fit));
+  if (work->noise != NULL) UM_CHECK(judge_by_own_noise(context, work, fit));
   um_diagnosis_additions_at(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
   um_inference_fit_destroy(context, &state->fit);
   state->fit = fit;
+  fit = NULL;
 done:
+  um_inference_fit_destroy(context, &fit);
   UM_FREE(context, parameter, e.addition);
   return status;
 }
@@ -204,6 +225,20 @@ enum um_status um_diagnosis_check_free(struct um_context *context,
                       work->forward->measurements->path, work->forward->observations.count, nfree);
 }
 
+/* The residual, over its own noise where there is one. */
+static enum um_status standardised(struct um_context *context, const struct um_diagnosis_work *work,
+                                   const struct um_diagnosis_state *state, double *out)
+{
+  const struct um_inference_fit *fit = state->fit;
+  struct um_inference_noise own = {0};
+  memcpy(out, fit->residual, fit->nobservation * sizeof *out);
+  if (work->noise == NULL) return UM_OK;
+  UM_TRY(um_inference_noise_learn(context, work->noise->family, fit->residual, work->noise, &own));
+  um_inference_noise_whiten(&own, out);
+  um_inference_noise_release(context, &own);
+  return UM_OK;
+}
+
 /* Observations of each channel in order of time, as the whiteness test wants them. */
 enum um_status um_diagnosis_state_whiteness(struct um_context *context,
                                             const struct um_diagnosis_work *work,
@@ -213,7 +248,9 @@ enum um_status um_diagnosis_state_whiteness(struct um_context *context,
   enum um_status status;
   const struct um_sensitivity_forward *f = work->forward;
   size_t *order = NULL, *channel = NULL;
-  double *sorted = NULL;
+  double *sorted = NULL, *residual = NULL;
+  UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *residual, &residual));
+  UM_CHECK(standardised(context, work, state, residual));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *order, &order));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *channel, &channel));
   UM_CHECK(um_core_allocate(context, f->observations.count, sizeof *sorted, &sorted));
@@ -225,14 +262,14 @@ enum um_status um_diagnosis_state_whiteness(struct um_context *context,
     order[at] = j;
   }
   for (size_t j = 0; j < f->observations.count; j++) {
-    sorted[j] = state->fit->residual[order[j]];
+    sorted[j] = residual[order[j]];
     channel[j] = f->observations.channel[order[j]];
   }
   UM_CHECK(um_inference_whiteness_test(context, f->observations.count, sorted, channel,
                                        f->measurements->nchannel,
                                        um_diagnosis_free_parameters(state), out));
 done:
-  UM_FREE(context, sorted, channel, order);
+  UM_FREE(context, sorted, residual, channel, order);
   return status;
 }
 

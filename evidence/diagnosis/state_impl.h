@@ -3,6 +3,7 @@
 #define UMBRA_DIAGNOSIS_STATE_IMPL_H
 
 #include "base/inference/fit.h"
+#include "base/inference/noise.h"
 #include "base/inference/score.h"
 #include "evidence/diagnosis/options.h"
 #include "evidence/sensitivity/forward.h"
@@ -20,6 +21,9 @@ struct um_diagnosis_work {
   size_t *fold; /* [nobservation] blocks of time that are held out in turn */
   size_t nfold;
   enum um_diagnosis_fate *fate; /* [count of candidates] */
+  /* NULL: residuals are white noise of the stated sigma. Else what fits are weighted by; each state
+   * is judged by the noise that its own residual has the largest likelihood with */
+  struct um_inference_noise *noise;
 };
 
 /* An effect whose parameters are fitted: a nuisance, an accepted effect or an alternative. */

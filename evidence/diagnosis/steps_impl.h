@@ -30,7 +30,8 @@ struct um_diagnosis_directions {
   double *column;                           /* whitened signatures, one after another */
   double *bound;                            /* [3][columns] lowest, highest step, prior sigma */
   struct um_inference_nuisance nuisance;
-  double *nuisance_sigma; /* [nparameter of the state] */
+  double *nuisance_sigma;  /* [nparameter of the state] */
+  double *nuisance_column; /* [nparameter][nobservation] */
 };
 
 enum um_status um_diagnosis_directions_make(struct um_context *context,
@@ -42,8 +43,10 @@ void um_diagnosis_directions_release(struct um_context *context, struct um_diagn
  * column is the effect of a step, whatever the unit of the parameter. */
 double um_diagnosis_unit(const struct um_sensitivity_candidate *c, size_t k);
 /* Residual [n] with the parameters of the state at the means of their priors:
- *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0. */
-void um_diagnosis_residual_at_means(const struct um_diagnosis_state *state, size_t n, double *out);
+ *   r0 = r + sum_k J_k (x_k - m_k), so that the prior of a nuisance is a pseudo-row of value 0;
+ * over the noise of the work. */
+void um_diagnosis_residual_at_means(const struct um_diagnosis_work *work,
+                                    const struct um_diagnosis_state *state, size_t n, double *out);
 /* Two variants of one effect on one target, as the two discs of the Sun. */
 bool um_diagnosis_is_same_effect(const struct um_sensitivity_candidate *a,
                                  const struct um_sensitivity_candidate *b);
@@ -153,6 +156,16 @@ enum um_status um_diagnosis_add_wanted(struct um_context *context,
                                        const struct um_model_addition *wanted, size_t nwanted,
                                        struct um_diagnosis_state *state);
 
+/* d->scatter and d->outlier of the final state, once value_before is there; nothing without a
+ * noise.
+ */
+enum um_status um_diagnosis_scatter_describe(struct um_context *context,
+                                             const struct um_diagnosis_work *work,
+                                             const struct um_diagnosis_state *state,
+                                             struct um_diagnosis *d);
+/* Whether a discrepancy is too large to be called one: something is missing. */
+bool um_diagnosis_discrepancy_is_large(const struct um_diagnosis *d);
+
 /* Whether a residual is white noise of the stated sigma. */
 bool um_diagnosis_is_noise(const struct um_inference_whiteness *whiteness);
 /* Whether a step that was not removed has alternatives that the observations, without priors,
@@ -165,6 +178,11 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
                                              struct um_diagnosis *d);
 /* Set the class of confidence of each step, after the verdict. */
 void um_diagnosis_confidence_assign(struct um_diagnosis *d);
+
+/* Set d->probability and that of each step's alternatives, after the verdict. bare: the scenario
+ * with its nuisances. */
+void um_diagnosis_probabilities_assign(const struct um_diagnosis_state *bare,
+                                       struct um_diagnosis *d);
 
 /* Fill d->missed, after all fits are made and the baseline is ranked. */
 enum um_status um_diagnosis_missed_find(struct um_context *context,

@@ -176,10 +176,46 @@ static void add_superseded(struct text *text, const struct um_diagnosis *d)
 static void add_fall(struct text *text, const struct um_diagnosis *d)
 {
   add(text, ". Reduced chi-square falls from %.4g to %.4g", d->chi2_reduced, d->chi2_reduced_after);
-  if (d->allowance)
+  if (d->allowance && !d->weighed)
     add(text, "; what is left is not quite noise (p %.1g)",
         fmin(d->final_whiteness.p_chi2,
              fmin(d->final_whiteness.p_white, d->final_whiteness.p_worst)));
+}
+
+/* ---- what is left ---- */
+
+static void add_channel(struct text *text, const struct um_diagnosis *d, size_t channel)
+{
+  const struct um_compare_channel *c = &d->forward->measurements->channel[channel];
+  add(text, "%s %s", um_compare_quantity_name(c->quantity), c->of);
+}
+
+/* How what is left differs from noise of the stated sigma. between: before the first one. */
+static void add_scatter(struct text *text, const struct um_diagnosis *d, const char *between)
+{
+  for (size_t i = 0; i < d->nscatter; i++) {
+    const struct um_diagnosis_scatter *s = &d->scatter[i];
+    enum um_compare_quantity quantity = d->forward->measurements->channel[s->channel].quantity;
+    if (s->along != NULL) {
+      add(text, "%sthe model is off by ", between);
+      if (quantity == UM_QUANTITY_TEMPERATURE)
+        add(text, "%.2g K", s->rms);
+      else
+        add(text, "%.2g %%", 100.0 * s->share);
+      add(text, " rms (%.2g sigma) in ", s->sigmas);
+      add_channel(text, d, s->channel);
+      add(text, ", along %s", s->along);
+      between = "; ";
+    }
+    if (!(s->scale > 1.0)) continue;
+    add(text, "%s", between);
+    add_channel(text, d, s->channel);
+    add(text, " scatters %.2g times its sigma", s->scale);
+    between = "; ";
+  }
+  if (d->noutlier > 0)
+    add(text, "%s%zu row%s set aside as outliers", between, d->noutlier,
+        d->noutlier == 1 ? " is" : "s are");
 }
 
 /* ---- verdicts that abstain ---- */
@@ -290,9 +326,12 @@ enum um_status um_diagnosis_summary_write(struct um_context *context, const stru
   struct text text = {{0}, 0};
   switch (d->verdict) {
   case UM_VERDICT_COMPLETE:
-    add(&text,
-        "Nothing is missing: the residual is noise of the stated sigma (reduced chi-square %.3g)",
-        d->chi2_reduced);
+    if (d->nscatter + d->noutlier > 0)
+      add_scatter(&text, d, "Nothing is missing, but ");
+    else
+      add(&text,
+          "Nothing is missing: the residual is noise of the stated sigma (reduced chi-square %.3g)",
+          d->chi2_reduced);
     break;
   case UM_VERDICT_FOUND:
     add_all(&text, d, d->candidates == NULL ? "Fitted: " : "Missing: ");
@@ -306,6 +345,7 @@ enum um_status um_diagnosis_summary_write(struct um_context *context, const stru
     say_unexplained(&text, d);
     break;
   }
+  if (d->verdict != UM_VERDICT_COMPLETE) add_scatter(&text, d, ". Besides, ");
   if (d->verdict != UM_VERDICT_UNEXPLAINED || d->naddition > 0) add_missed(&text, d, false);
   add(&text, ".");
   return um_core_strdup(context, text.at, out);

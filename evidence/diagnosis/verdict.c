@@ -36,7 +36,7 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
  * Where they scatter less it is 1, and nothing is made more certain. */
 static double scatter(const struct um_diagnosis *d)
 {
-  return sqrt(fmax(1.0, d->chi2_reduced_after));
+  return d->weighed ? 1.0 : sqrt(fmax(1.0, d->chi2_reduced_after));
 }
 
 /* Whether every tested parameter of the effect is near the value where it does nothing. Sigma is
@@ -62,12 +62,15 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
                                              struct um_diagnosis *d)
 {
   bool noise = um_diagnosis_is_noise(&d->final_whiteness);
+  double reduced =
+      d->weighed ? d->final_whiteness.chi2 / d->final_whiteness.dof : d->chi2_reduced_after;
+  if (um_diagnosis_discrepancy_is_large(d)) return UM_VERDICT_UNEXPLAINED;
   if (d->naddition == 0) {
     if (!noise) return UM_VERDICT_UNEXPLAINED;
     return nuisance_took_it(state) ? UM_VERDICT_NOT_IDENTIFIABLE : UM_VERDICT_COMPLETE;
   }
-  if (!noise && (d->chi2_reduced_after > UM_DIAGNOSIS_BAD_FIT ||
-                 d->final_whiteness.worst > UM_DIAGNOSIS_BAD_PART))
+  if (!noise &&
+      (reduced > UM_DIAGNOSIS_BAD_FIT || d->final_whiteness.worst > UM_DIAGNOSIS_BAD_PART))
     return UM_VERDICT_UNEXPLAINED;
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)

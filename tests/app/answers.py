@@ -163,7 +163,7 @@ def answer(umbra, arguments, folder):
 
 
 # Keys that no command above prints; tests/evidence/diagnosis/report.c writes them.
-SELDOM = (".superseded[]", ".unexplained.others")
+SELDOM = (".superseded[]", ".unexplained.others", ".scatter[]", ".outliers[]")
 
 
 def keys_of(schema, at=""):

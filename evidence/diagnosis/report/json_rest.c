@@ -46,6 +46,38 @@ void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d)
   fputc(']', file);
 }
 
+/* How observations scatter beside the model, and those that were set aside. */
+void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d)
+{
+  const struct um_compare_measurements *m = d->forward->measurements;
+  fputs(",\n  \"scatter\": [", file);
+  for (size_t i = 0; i < d->nscatter; i++) {
+    const struct um_diagnosis_scatter *s = &d->scatter[i];
+    const struct um_compare_channel *c = &m->channel[s->channel];
+    um_core_json_text(file, i > 0 ? ",\n    {" : "\n    {", "quantity",
+                      um_compare_quantity_name(c->quantity));
+    um_core_json_text(file, ", ", "of", c->of);
+    um_core_json_field(file, ", ", "scale", s->scale);
+    um_core_json_text(file, ", ", "discrepancy_along", s->along);
+    um_core_json_field(file, ", ", "discrepancy", s->rms);
+    um_core_json_text(file, ", ", "unit", um_compare_residual_unit(c->quantity));
+    um_core_json_field(file, ", ", "discrepancy_in_sigma", s->sigmas);
+    um_core_json_field(file, ", ", "discrepancy_share", s->share);
+    fputc('}', file);
+  }
+  fputs("],\n  \"outliers\": [", file);
+  for (size_t i = 0; i < d->noutlier; i++) {
+    const struct um_compare_measurement *row = &m->row[d->outlier[i]];
+    const struct um_compare_channel *c = &m->channel[row->channel];
+    fprintf(file, "%s{\"line\": %d", i > 0 ? ", " : "", row->line);
+    um_diagnosis_report_json_time(file, ", ", "time_utc", row->t_tai);
+    um_core_json_text(file, ", ", "quantity", um_compare_quantity_name(c->quantity));
+    um_core_json_text(file, ", ", "of", c->of);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
+
 /* What the residual of the baseline looks like. */
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r)
 {

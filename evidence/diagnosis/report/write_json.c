@@ -89,6 +89,7 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
     um_diagnosis_report_json_parameters(file, d, candidate->effect, candidate->target,
                                         alternative->value, alternative->sigma);
   }
+  um_core_json_field(file, ", ", "probability", alternative->probability);
   um_core_json_field(file, ", ", "chi2_difference", alternative->chi2_difference);
   um_core_json_bool(file, ", ", "indistinguishable", alternative->indistinguishable);
   um_core_json_bool(file, ", ", "not_tried", alternative->not_tried);
@@ -188,6 +189,12 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   UM_TRY(json_level(context, file, d, "baseline", false));
   UM_TRY(json_level(context, file, d, "final", true));
   um_core_json_bool(file, ",\n  ", "not_quite_noise", d->allowance);
+  um_core_json_field(file, ",\n  \"probabilities\": {", "nothing", d->probability.nothing);
+  um_core_json_field(file, ", ", "one_effect", d->probability.one);
+  um_core_json_field(file, ", ", "several_effects", d->probability.several);
+  um_core_json_field(file, ", ", "none_of_the_catalogue", d->probability.none);
+  fputc('}', file);
+  um_diagnosis_report_json_scatter(file, d);
   json_uses(file, d, "effects", d->addition, d->addition_sigma, d->naddition);
   json_uses(file, d, "nuisances", d->nuisance, d->nuisance_sigma, d->nnuisance);
   fputs(",\n  \"steps\": [", file);

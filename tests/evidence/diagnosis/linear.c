@@ -34,7 +34,8 @@ static void residual_at_the_means_of_priors(void **state)
       .nobservation = ROWS, .nparameter = 3, .x = x, .residual = residual, .jacobian = jacobian};
   const struct um_diagnosis_state fitted = {
       .nblock = 2, .nnuisance = 1, .block = block, .nparameter = 3, .fit = &fit};
-  um_diagnosis_residual_at_means(&fitted, ROWS, out);
+  const struct um_diagnosis_work work = {0};
+  um_diagnosis_residual_at_means(&work, &fitted, ROWS, out);
   for (size_t j = 0; j < ROWS; j++) {
     double expected = measured[j];
     for (size_t k = 0; k < 3; k++) expected -= jacobian[k * ROWS + j] * mean[k];

@@ -16,7 +16,8 @@ struct lists {
   const char *of;                                     /* the only band measured; NULL: both */
   double from, to;     /* rows left in [s since the start]; both 0: all */
   size_t alternatives; /* fitted in a round; 0: as many as usual */
-  double model;        /* sampling error of the model, of the measurement's sigma */
+  void (*spoil)(struct um_compare_measurements *); /* what measurements have beside noise */
+  double model; /* sampling error of the model, of the measurement's sigma */
 };
 
 static inline size_t count(const char *const *list)
@@ -49,6 +50,7 @@ static inline void measure(const struct lists *lists, struct um_compare_measurem
     bool in = lists->of == NULL || strcmp((*out)->channel[row->channel].of, lists->of) == 0;
     row->flag = in && (lists->to == 0.0 || (since >= lists->from && since <= lists->to)) ? 0 : 1;
   }
+  if (lists->spoil != NULL) lists->spoil(*out);
 }
 
 static inline struct diagnosed diagnose(const struct lists *lists)

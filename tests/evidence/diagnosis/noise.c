@@ -1,0 +1,120 @@
+/* What is not noise of the stated sigma: sigmas that are too small, spikes, a discrepancy of the
+ * model. Nobody is accused for them, an effect is still named beside them, and they are said. */
+#define PLATE_STEP "5"
+#include "base/core/constants.h"
+#include "tests/evidence/diagnosis/plate_diagnosis_test.h"
+
+static const char *const looked_for[] = {
+    "emittance",  "solar_absorptance", "albedo_level",  "earth_ir_level",
+    "zero_point", "background",        "heat_capacity", NULL};
+
+static const struct um_diagnosis_scatter *scatter_of(const struct diagnosed *c, const char *band)
+{
+  for (size_t i = 0; i < c->d->nscatter; i++)
+    if (strcmp(c->measured->channel[c->d->scatter[i].channel].of, band) == 0)
+      return &c->d->scatter[i];
+  return NULL;
+}
+
+/* Every sigma is two thirds of what it should be. */
+static void understate(struct um_compare_measurements *m)
+{
+  for (size_t i = 0; i < m->count; i++) m->row[i].sigma /= 1.5;
+}
+
+static void test_understated(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){.only = looked_for, .spoil = understate});
+  assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
+  says(&c, "times its sigma");
+  for (int b = 0; b < 2; b++) {
+    const struct um_diagnosis_scatter *s = scatter_of(&c, b == 0 ? "vis" : "lwir");
+    assert_non_null(s); /* 144 rows: within 6 % */
+    assert_true(fabs(s->scale - 1.5) < 0.25 && s->along == NULL);
+  }
+  assert_true(c.d->probability.nothing > 0.5);
+  end(&c);
+}
+
+/* Three rows in a hundred are off by 8 to 20 sigma. */
+static void spike(struct um_compare_measurements *m)
+{
+  for (size_t i = 20; i < m->count; i += 33)
+    m->row[i].value += (i % 2 == 0 ? 8.0 + (double)(i % 13) : -9.0) * m->row[i].sigma;
+}
+
+static void test_spikes(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){.only = looked_for, .spoil = spike});
+  assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
+  assert_int_equal(c.d->nscatter, 0);
+  size_t n = 0;
+  for (size_t i = 20; i < c.measured->count; i += 33) n++;
+  assert_int_equal(c.d->noutlier, n);
+  for (size_t i = 0; i < n; i++) assert_int_equal((c.d->outlier[i] - 20) % 33, 0);
+  says(&c, "rows are set aside as outliers");
+  end(&c);
+}
+
+/* LWIR is off by 2.5 sigma (3.5 at most) along a wave of 5 minutes, as no effect makes it. */
+static void wave(struct um_compare_measurements *m)
+{
+  for (size_t i = 0; i < m->count; i++) {
+    struct um_compare_measurement *row = &m->row[i];
+    if (strcmp(m->channel[row->channel].of, "lwir") != 0) continue;
+    row->value += 3.5 * row->sigma * sin(2.0 * UM_PI * (row->t_tai - m->row[0].t_tai) / 300.0);
+  }
+}
+
+static void test_discrepancy(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){.only = looked_for, .spoil = wave});
+  const struct um_diagnosis_scatter *s = scatter_of(&c, "lwir");
+  assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
+  assert_non_null(s);
+  assert_non_null(s->along);
+  print_message("%.2f sigma of 2.47\n", s->sigmas);
+  assert_true(s->sigmas > 1.8 && s->sigmas < 3.0 && scatter_of(&c, "vis") == NULL);
+  says(&c, "the model is off by");
+  end(&c);
+}
+
+/* The same with a front that emits a tenth less than the analyst has it. */
+static void test_effect_beside_it(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){
+      .with = LIST("emittance:grey_panel,factor=0.9"), .only = looked_for, .spoil = wave});
+  assert_true(c.d->verdict == UM_VERDICT_FOUND || c.d->verdict == UM_VERDICT_NOT_IDENTIFIABLE);
+  assert_int_equal(c.d->naddition, 1);
+  const struct um_diagnosis_alternative *r = alternative(&c, 0, "emittance:grey_panel");
+  assert_true(r->fitted && (r == &c.d->step[0].alternative[0] || r->indistinguishable));
+  print_message("%.3f +- %.3f, probability %.2f\n", r->value[0], r->sigma[0], r->probability);
+  assert_true(fabs(r->value[0] - 0.9) < 3.0 * r->sigma[0]);
+  says(&c, "the model is off by");
+  end(&c);
+}
+
+/* Where noise is what is stated, nothing of this happens. */
+static void test_white(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(
+      &(struct lists){.with = LIST("emittance:grey_panel,factor=0.9"), .only = looked_for});
+  assert_true(!c.d->weighed && c.d->nscatter == 0 && c.d->noutlier == 0);
+  const struct um_diagnosis_probability *p = &c.d->probability;
+  assert_true(fabs(p->nothing + p->one + p->several + p->none - 1.0) < 1e-12 && p->one > 0.99);
+  end(&c);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_understated), cmocka_unit_test(test_spikes),
+      cmocka_unit_test(test_discrepancy), cmocka_unit_test(test_effect_beside_it),
+      cmocka_unit_test(test_white)};
+  return cmocka_run_group_tests(tests, set_up, tear_down);
+}
