@@ -157,6 +157,35 @@ static void print_alternatives(const struct um_diagnosis *d, const struct um_dia
   if (n > 0) putchar('\n');
 }
 
+/* What convinces a sceptic, a line each. */
+static void print_sceptic(const struct um_diagnosis *d)
+{
+  const struct um_diagnosis_sceptic *s = &d->sceptic;
+  const struct um_diagnosis_step *step = &d->step[s->step];
+  double p = step->alternative[0].probability;
+  printf("  probability %.2g among what was fitted and nothing\n", p > 0.995 ? 1.0 : p);
+  if (isnan(s->frozen))
+    printf("  frozen: neither half of the time sees it\n");
+  else
+    printf("  frozen: values from one half of the time explain %.3g sigma in the other\n",
+           s->frozen);
+  printf("  search: noise alone does as well in %s %.2g of searches\n",
+         s->search_p * (UM_DIAGNOSIS_DRAWS + 1) < 1.5 ? "less than" : "some", s->search_p);
+  printf("  influence: %zu of %zu changes of one row, channel or prior would change what is "
+         "named%s%s\n",
+         s->flips, s->variations, s->flips_by != NULL ? ", first " : "",
+         s->flips_by != NULL ? s->flips_by : "");
+  if (s->has_else)
+    printf(
+        "  open set: were it not in the catalogue, %s would be %s, BIC %+.1f, reduced chi-square "
+        "%.3g\n",
+        d->candidates->candidate[s->else_candidate].name,
+        s->else_reduced > UM_DIAGNOSIS_BAD_FIT ? "next and the verdict unexplained" : "named",
+        s->else_behind, s->else_reduced);
+  else
+    printf("  open set: were it not in the catalogue, nothing would be named\n");
+}
+
 static enum um_status print_step(struct um_context *context, const struct um_diagnosis *d, size_t s)
 {
   const struct um_diagnosis_step *step = &d->step[s];
@@ -176,6 +205,7 @@ static enum um_status print_step(struct um_context *context, const struct um_dia
   if (before != NULL && after != NULL)
     UM_TRY(print_channels(context, d, before, dof_before, after, step->dof));
   print_alternatives(d, step);
+  if (d->sceptic.asked && d->sceptic.step == s) print_sceptic(d);
   print_worse(d, step);
   return UM_OK;
 }

@@ -4,6 +4,8 @@
 #ifndef UMBRA_INFERENCE_SCORE_H
 #define UMBRA_INFERENCE_SCORE_H
 
+#include <stdint.h>
+
 #include "base/inference/direction.h"
 
 struct um_inference_score {
@@ -33,6 +35,15 @@ enum um_status um_inference_score_test(struct um_context *context, size_t nobser
                                        size_t ndirection,
                                        const struct um_inference_direction *direction,
                                        struct um_inference_score *out);
+
+/* Share of `draws` of white noise (keyed by seed) in which the least p of any direction is that
+ * small or smaller: the p of a search among all of them, however alike they are. In [1 / (draws +
+ * 1), 1]. UM_ERR_MEMORY. */
+enum um_status um_inference_search_p(struct um_context *context, size_t nobservation,
+                                     const struct um_inference_nuisance *nuisance,
+                                     size_t ndirection,
+                                     const struct um_inference_direction *direction, double least_p,
+                                     size_t draws, uint64_t seed, double *out);
 
 /* Expected chi-square by which the change `signal` [nobservation] (whitened) stands out against the
  * best that each direction (with the nuisances, priors of both in force, bounds not) can do in its

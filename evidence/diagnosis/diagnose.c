@@ -269,6 +269,7 @@ static enum um_status conclude(struct um_context *context, const struct um_diagn
     UM_TRY(weigh_heat(context, work, state, bare, d));
   um_diagnosis_confidence_assign(d);
   um_diagnosis_probabilities_assign(bare, d);
+  UM_TRY(um_diagnosis_sceptic_ask(context, work, state, d));
   UM_TRY(look_at_residual(context, work, bare, d));
   if (!work->options->no_next) UM_TRY(um_diagnosis_next_find(context, work, state, d));
   UM_TRY(um_diagnosis_missed_find(context, work, d));

@@ -106,6 +106,22 @@ struct um_diagnosis_scatter {
   double of_before;          /* over the residual of the scenario, both over sigma [1] */
 };
 
+/* What convinces a sceptic of the effect that explains most. */
+struct um_diagnosis_sceptic {
+  bool asked;    /* an effect is named */
+  size_t step;   /* its step */
+  double frozen; /* what it explains in one half with its values from the other, both ways [sigma];
+                    NaN: neither half sees it */
+  double search_p; /* of noise, that the search among all candidates finds as much */
+  size_t variations,
+      flips;            /* one row, one channel, one prior changed; those that change the verdict */
+  const char *flips_by; /* what changes it first; NULL: nothing; borrowed */
+  bool has_else;        /* were it not in the catalogue, another would be next: */
+  size_t else_candidate;
+  double else_behind;  /* in BIC */
+  double else_reduced; /* chi-square that it leaves, by degree of freedom */
+};
+
 /* Of what is missing; they sum to 1. */
 struct um_diagnosis_probability {
   double nothing, one, several; /* effects of the catalogue */
@@ -138,6 +154,7 @@ struct um_diagnosis {
   size_t noutlier;
   size_t *outlier; /* [noutlier] rows of the measurements that were set aside */
   struct um_diagnosis_probability probability;
+  struct um_diagnosis_sceptic sceptic;
   bool weighed;   /* by a noise that was learnt */
   bool allowance; /* the residual is not quite noise, and was accepted all the same */
   struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,

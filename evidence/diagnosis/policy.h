@@ -48,6 +48,9 @@
 #define UM_DIAGNOSIS_LARGE_TEMPERATURE 2.0
 #define UM_DIAGNOSIS_LARGE_LIGHT       0.05
 #define UM_DIAGNOSIS_LARGE_SHARE       0.3
+/* Times sigma [1] that measurements may scatter. HAND: who states a third of his noise does not
+ * know it. */
+#define UM_DIAGNOSIS_LARGE_SCALE 3.0
 
 /* ---- one effect against another ---- */
 
@@ -78,6 +81,14 @@
 #define UM_DIAGNOSIS_PRIOR_NONE    0.05
 /* Parameters of a pulse in BIC [1]. Counted: place, start, stop, power. */
 #define UM_DIAGNOSIS_OF_A_PULSE 4.0
+
+/* ---- what convinces a sceptic (sceptic.c) ---- */
+
+/* Blocks of time, by turns of one half and the other; rows that are left out, those that are off
+ * most; draws of noise. HAND: a p of 2e-3 is as small as 500 show. */
+#define UM_DIAGNOSIS_BLOCKS 10
+#define UM_DIAGNOSIS_ROWS   20
+#define UM_DIAGNOSIS_DRAWS  500
 
 /* ---- how far the search goes: it may miss, never accuse ---- */
 

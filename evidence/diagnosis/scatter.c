@@ -35,6 +35,7 @@ static void fill(const struct um_diagnosis_work *work, const struct um_inference
 
 static bool is_large(const struct um_diagnosis *d, const struct um_diagnosis_scatter *s)
 {
+  if (s->scale > UM_DIAGNOSIS_LARGE_SCALE) return true;
   bool heat = d->forward->measurements->channel[s->channel].quantity == UM_QUANTITY_TEMPERATURE;
   return s->sigmas > UM_DIAGNOSIS_LARGE_SIGMAS && s->of_before > UM_DIAGNOSIS_LARGE_SHARE &&
          (heat ? s->rms > UM_DIAGNOSIS_LARGE_TEMPERATURE : s->share > UM_DIAGNOSIS_LARGE_LIGHT);

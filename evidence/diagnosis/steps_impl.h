@@ -163,7 +163,7 @@ enum um_status um_diagnosis_scatter_describe(struct um_context *context,
                                              const struct um_diagnosis_work *work,
                                              const struct um_diagnosis_state *state,
                                              struct um_diagnosis *d);
-/* Whether a discrepancy is too large to be called one: something is missing. */
+/* Whether a discrepancy or a scatter is too large to be called one: something is missing. */
 bool um_diagnosis_discrepancy_is_large(const struct um_diagnosis *d);
 
 /* Whether a residual is white noise of the stated sigma. */
@@ -178,6 +178,12 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
                                              struct um_diagnosis *d);
 /* Set the class of confidence of each step, after the verdict. */
 void um_diagnosis_confidence_assign(struct um_diagnosis *d);
+
+/* Fill d->sceptic, once the steps are final. */
+enum um_status um_diagnosis_sceptic_ask(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        const struct um_diagnosis_state *state,
+                                        struct um_diagnosis *d);
 
 /* Set d->probability and that of each step's alternatives, after the verdict. bare: the scenario
  * with its nuisances. */

@@ -46,6 +46,27 @@ void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d)
   fputc(']', file);
 }
 
+/* What convinces a sceptic of the first effect. */
+void um_diagnosis_report_json_sceptic(FILE *file, const struct um_diagnosis *d)
+{
+  const struct um_diagnosis_sceptic *s = &d->sceptic;
+  fputs(",\n  \"sceptic\": ", file);
+  if (!s->asked) {
+    fputs("null", file);
+    return;
+  }
+  um_core_json_text(file, "{", "effect", d->candidates->candidate[d->step[s->step].candidate].name);
+  um_core_json_field(file, ", ", "frozen_sigma", s->frozen);
+  um_core_json_field(file, ", ", "search_p", s->search_p);
+  fprintf(file, ", \"variations\": %zu, \"flips\": %zu", s->variations, s->flips);
+  um_core_json_text(file, ", ", "flips_by", s->flips_by);
+  um_core_json_text(file, ", ", "else_named",
+                    s->has_else ? d->candidates->candidate[s->else_candidate].name : NULL);
+  um_core_json_field(file, ", ", "else_behind", s->has_else ? s->else_behind : (double)NAN);
+  um_core_json_field(file, ", ", "else_chi2_red", s->has_else ? s->else_reduced : (double)NAN);
+  fputc('}', file);
+}
+
 /* How observations scatter beside the model, and those that were set aside. */
 void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d)
 {

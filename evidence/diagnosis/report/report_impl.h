@@ -25,6 +25,7 @@ void um_diagnosis_report_json_parameters(FILE *file, const struct um_diagnosis *
 /* Members of the whole object, each with its comma before. */
 void um_diagnosis_report_json_missed(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *d);
+void um_diagnosis_report_json_sceptic(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
 void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);

@@ -194,6 +194,7 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   um_core_json_field(file, ", ", "several_effects", d->probability.several);
   um_core_json_field(file, ", ", "none_of_the_catalogue", d->probability.none);
   fputc('}', file);
+  um_diagnosis_report_json_sceptic(file, d);
   um_diagnosis_report_json_scatter(file, d);
   json_uses(file, d, "effects", d->addition, d->addition_sigma, d->naddition);
   json_uses(file, d, "nuisances", d->nuisance, d->nuisance_sigma, d->nnuisance);
