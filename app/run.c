@@ -72,6 +72,19 @@ static void json_heat(const struct um_model_result *r)
   um_core_json_field(stdout, "", "energy_audit_error", r->audit_error);
 }
 
+static void json_mesh(const struct um_model *model, const struct um_model_mesh_error *mesh)
+{
+  char place[UM_MODEL_MESH_SIDE];
+  printf(",\n  \"finer_facets\": {\"place\": ");
+  if (mesh->temperature != 0.0)
+    um_core_json_string(stdout, um_model_mesh_side(model, mesh->group, mesh->back, place));
+  else
+    printf("null");
+  um_core_json_field(stdout, ", ", "place_K", -mesh->temperature);
+  um_core_json_field(stdout, ", ", "mean_K", mesh->temperature_mean);
+  printf("}");
+}
+
 static size_t hidden_count(const struct um_model_tables *tables)
 {
   size_t n = 0;
@@ -114,6 +127,7 @@ static void json_run(const struct um_output_run *run, const char *folder, double
   um_core_json_field(stdout, ", ", "orbit_error_km", 1e-3 * run->model->orbit_error);
   um_core_json_field(stdout, ", ", "orbit_error_s", run->model->orbit_delay);
   json_heat(r);
+  json_mesh(run->model, &r->mesh);
   printf(",\n  \"bands\": [");
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) {
     printf("%s\n    ", b > 0 ? "," : "");
@@ -141,18 +155,8 @@ static enum um_status summarise(struct um_context *context, const struct um_outp
 static void tell_mesh(struct um_context *context, const struct um_model *model,
                       const struct um_model_mesh_error *mesh)
 {
-  char light[160] = "", place[UM_MODEL_MESH_SIDE] = "no place";
-  for (size_t b = mesh->nband; b-- > 0;) {
-    if (model->band[b].from < UM_INFRARED_FROM) continue;
-    snprintf(light, sizeof light, "; %.32s by about %+.2g %% at most, %+.2g %% in the mean",
-             model->band[b].name, 100.0 * mesh->light[b], 100.0 * mesh->light_mean[b]);
-    break;
-  }
-  if (mesh->temperature != 0.0) um_model_mesh_side(model, mesh->group, mesh->back, place);
-  um_core_log(context, UM_LOG_INFO,
-              "mesh: finer facets would move temperatures of places by about %+.2g K at most (%s), "
-              "%.2g K in the mean%s",
-              -mesh->temperature, place, mesh->temperature_mean, light);
+  char text[UM_MODEL_MESH_SENTENCE];
+  um_core_log(context, UM_LOG_INFO, "mesh: %s", um_model_mesh_sentence(model, mesh, text));
 }
 
 /* What the error in space is, or how to know it. */
@@ -199,7 +203,7 @@ int um_app_run(struct um_context *context, const struct um_app_options *options)
   UM_CHECK(um_model_precompute(context, model, &tables));
   UM_CHECK(um_app_run_views_check(context, model, tables, options));
   traced = seconds();
-  UM_CHECK(um_model_run(context, model, tables, &result));
+  UM_CHECK(um_model_run_stated(context, model, tables, &result));
   UM_CHECK(estimate(context, model, result));
   computed = seconds();
   run.options = &changes;

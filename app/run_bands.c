@@ -89,6 +89,8 @@ void um_app_run_json_band(const struct um_output_run *run, size_t band, double *
   printf(", \"instants_above_5_percent\": %zu, \"umbra_instants\": %zu", s.large, s.umbra);
   um_core_json_field(stdout, ", ", "umbra_sun_W_sr", s.umbra > 0 ? s.umbra_sun : (double)NAN);
   um_core_json_field(stdout, ", ", "umbra_lowest_W_sr", s.umbra_low);
+  um_core_json_field(stdout, ", ", "finer_facets_largest", r->mesh.light[band]);
+  um_core_json_field(stdout, ", ", "finer_facets_mean", r->mesh.light_mean[band]);
   struct magnitudes magnitude = magnitudes_of(run, band);
   um_core_json_text(stdout, ", ", "magnitude_system", magnitude.system);
   um_core_json_field(stdout, ", ", "brightest_mag", magnitude.brightest);

@@ -92,7 +92,9 @@ static enum um_status show_heat(struct um_context *context, const struct um_mode
        {r->nobs, r->nsurface},
        {"time", "surface"},
        r->surface_temperature},
-      {"node_temperature", "K", 0, {r->nobs, r->nnode}, {"time", "node"}, r->node_temperature}};
+      {"node_temperature", "K", 0, {r->nobs, r->nnode}, {"time", "node"}, r->node_temperature},
+      {"facet_error", "K", 0, {r->nsurface}, {"surface"}, r->mesh.surface},
+      {"facet_error_light", "1", 0, {r->mesh.nband}, {"band"}, r->mesh.light}};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
     UM_TRY(um_library_result_show(context, to, &arrays[i]));
   return UM_OK;
@@ -183,7 +185,7 @@ enum umbra_status umbra_run(struct umbra *umbra, struct umbra_model *model,
   UM_CHECK(um_core_allocate(context, 1, sizeof *run, &run));
   run->model = um_library_model_share(model);
   UM_CHECK(um_model_precompute(context, model->model, &run->tables));
-  UM_CHECK(um_model_run(context, model->model, run->tables, &run->result));
+  UM_CHECK(um_model_run_stated(context, model->model, run->tables, &run->result));
   UM_CHECK(um_core_asprintf(context, &run->log, "%s%s", model->log, um_core_log_text(context)));
   UM_CHECK(um_library_result_create(context, umbra, &kind, run, &result));
   run = NULL;

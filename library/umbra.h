@@ -225,7 +225,10 @@ struct umbra_array {
  *   spectral_intensity [time, bin, mechanism] before any filter, wavelength_m [bin],
  *   count_rate, count_rate_error [time, sensor],
  *   temperature, temperature_lowest, temperature_highest [place, time],
- *   surface_temperature [time, surface], node_temperature [time, node].
+ *   surface_temperature [time, surface], node_temperature [time, node],
+ *   facet_error [surface], how far its temperature lies from that of finer facets, rms over time,
+ *   facet_error_light [band], the share by which finer facets would change intensity, largest over
+ *   time; both estimated, of a run that is not one of many points.
  * NaN is what does not exist. */
 const struct umbra_array *umbra_result_array(const struct umbra_result *result, const char *name);
 /* The same by number; NULL behind the last. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/core/constants.h"
+#include "model/run/mesh_error.h"
 #include "model/run/run.h"
 #include "orbit/time.h"
 #include "output/band_summary.h"
@@ -104,6 +105,7 @@ static enum um_status trust(struct um_output_page *p)
   const struct um_model_result *r = p->run->result;
   const struct um_model *model = p->run->model;
   size_t n = 0;
+  char mesh[UM_MODEL_MESH_SENTENCE];
   const char **name, **unit;
   double *value, *work;
   UM_TRY(um_output_page_column(p, &work));
@@ -126,6 +128,8 @@ static enum um_status trust(struct um_output_page *p)
   }
   um_page_section(p->page, "trust", "How far can it be trusted?", UM_PAGE_PLAIN);
   warnings(p);
+  if (r->mesh.surface != NULL)
+    um_page_text(p->page, "Mesh: %s.", um_model_mesh_sentence(model, &r->mesh, mesh));
   const struct um_page_column column[] = {{.name = "error", .text = name},
                                           {.name = "value", .value = value},
                                           {.name = "unit", .text = unit}};

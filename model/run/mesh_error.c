@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/core/constants.h"
 #include "base/core/planck.h"
 #include "geometry/neighbours.h"
 #include "model/run/thermal_solution_group.h"
@@ -159,5 +160,24 @@ const char *um_model_mesh_side(const struct um_model *model, size_t group, bool 
   const struct um_geometry_group *of = um_geometry_group(model->geometry, group);
   snprintf(text, UM_MODEL_MESH_SIDE, "%.70s.%.70s%s",
            um_geometry_part_name(model->geometry, of->part), of->name, back ? ".back" : "");
+  return text;
+}
+
+const char *um_model_mesh_sentence(const struct um_model *model,
+                                   const struct um_model_mesh_error *mesh,
+                                   char text[UM_MODEL_MESH_SENTENCE])
+{
+  char light[160] = "", place[UM_MODEL_MESH_SIDE] = "no place";
+  for (size_t b = mesh->nband; b-- > 0;) {
+    if (model->band[b].from < UM_INFRARED_FROM) continue;
+    snprintf(light, sizeof light, "; %.32s by about %+.2g %% at most, %+.2g %% in the mean",
+             model->band[b].name, 100.0 * mesh->light[b], 100.0 * mesh->light_mean[b]);
+    break;
+  }
+  if (mesh->temperature != 0.0) um_model_mesh_side(model, mesh->group, mesh->back, place);
+  snprintf(text, UM_MODEL_MESH_SENTENCE,
+           "finer facets would move temperatures of places by about %+.2g K at most (%s), %.2g K "
+           "in the mean%s",
+           -mesh->temperature, place, mesh->temperature_mean, light);
   return text;
 }

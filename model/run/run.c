@@ -59,21 +59,34 @@ static enum um_status adapt(struct um_context *context, const struct um_model *m
   return UM_OK;
 }
 
-enum um_status um_model_run(struct um_context *context, const struct um_model *model,
-                            struct um_model_tables *tables, struct um_model_result **out)
+static enum um_status run_of(struct um_context *context, const struct um_model *model,
+                             struct um_model_tables *tables, bool stated,
+                             struct um_model_result **out)
 {
   struct um_model_thermal_solution *heat = NULL;
   *out = NULL;
   UM_TRY(um_model_thermal_solution_create(context, model, tables, NULL, 1.0, &heat));
   enum um_status status = adapt(context, model, &heat->run, tables);
   if (status == UM_OK) status = um_model_run_with(context, model, tables, heat, out);
-  if (status == UM_OK)
+  if (status == UM_OK && stated)
     status = um_model_mesh_error(context, model, tables, heat, *out, &(*out)->mesh);
   if (status == UM_OK && model->scenario->thermal->outside_range == UM_RANGE_WARNING)
     status = um_model_check_record_ranges(context, model, tables, *out);
   if (status != UM_OK) um_model_result_destroy(context, out);
   um_model_thermal_solution_destroy(context, &heat);
   return status;
+}
+
+enum um_status um_model_run(struct um_context *context, const struct um_model *model,
+                            struct um_model_tables *tables, struct um_model_result **out)
+{
+  return run_of(context, model, tables, false, out);
+}
+
+enum um_status um_model_run_stated(struct um_context *context, const struct um_model *model,
+                                   struct um_model_tables *tables, struct um_model_result **out)
+{
+  return run_of(context, model, tables, true, out);
 }
 
 enum um_status um_model_run_with(struct um_context *context, const struct um_model *model,

@@ -12,6 +12,9 @@
  * takes, and stay so. */
 enum um_status um_model_run(struct um_context *context, const struct um_model *model,
                             struct um_model_tables *tables, struct um_model_result **out);
+/* The same, and what finer facets would change of it (result->mesh). */
+enum um_status um_model_run_stated(struct um_context *context, const struct um_model *model,
+                                   struct um_model_tables *tables, struct um_model_result **out);
 
 /* Run with heat that matches. um_model_run is this with heat of its own and a factor on tolerances
  * of 1. */

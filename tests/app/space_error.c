@@ -90,11 +90,17 @@ static void test_finer_facets(void **state)
   (void)state;
   double largest, mean;
   command_copy_data("slab.yaml");
-  command_expect(0, "run", "slab.yaml", "--no-plots", "--out", "out", NULL);
+  struct command c = command_run("run", "slab.yaml", "--no-plots", "--out", "out", "--json", NULL);
+  assert_int_equal(c.code, 0);
   char *log = command_read("out/log.txt");
   double said = number_after(log, "mesh: finer facets would move temperatures of places by about ");
   double lwir = number_after(log, "lwir by about ");
   free(log);
+  assert_close(number_after(c.out, "\"place_K\": "), said, 0.051 * fabs(said));
+  char *band = strstr(c.out, "\"name\": \"lwir\"");
+  assert_non_null(band);
+  assert_close(100.0 * number_after(band, "\"finer_facets_largest\": "), lwir, 0.051 * fabs(lwir));
+  command_release(&c);
   command_expect(0, "run", "slab.yaml", "--no-plots", "--out", "fine", "--set",
                  "thermal.facet_size_m=0.1", NULL);
   difference("mean_K", false, "temperatures.csv", &largest, &mean);
@@ -105,8 +111,8 @@ static void test_finer_facets(void **state)
   print_message("said %+.3g %%, found %.3g %%\n", lwir, 100.0 * largest);
   assert_close(fabs(lwir), 100.0 * largest, 25.0 * largest);
 
-  struct command c = command_run("export", "slab.yaml", "--as", "facets", "-o", "facets.csv",
-                                 "--json", "--set", "thermal.facet_error_K=0.5", NULL);
+  c = command_run("export", "slab.yaml", "--as", "facets", "-o", "facets.csv", "--json", "--set",
+                  "thermal.facet_error_K=0.5", NULL);
   assert_int_equal(c.code, 0);
   print_message("%s", c.out);
   assert_non_null(strstr(c.out, "\"reached\": true"));
