@@ -53,9 +53,6 @@
  * which a value is implausible. Convention: one and three sigma. */
 #define UM_DIAGNOSIS_UNUSUAL     1.0
 #define UM_DIAGNOSIS_IMPLAUSIBLE 3.0
-/* Parameters of a pulse in BIC [1]. Counted: place, start, stop, power. */
-#define UM_DIAGNOSIS_OF_A_PULSE 4.0
-
 /* ---- how far the search goes: it may miss, never accuse ---- */
 
 /* Effects that are added, and candidates that are fitted in a round, when not asked for another
