@@ -44,14 +44,15 @@ static void print_unexplained(const struct um_missing_heat_unexplained *u)
   printf("\n");
   for (size_t i = 0; i < u->nheat && i < 3; i++) {
     const struct um_missing_heat *h = &u->heat[i];
-    char start[32], energy[80];
-    um_orbit_time_format(h->start, start);
+    char start[32], energy[80], shape[UM_MISSING_HEAT_TEXT];
+    um_orbit_time_format(h->course.start, start);
+    um_missing_heat_text(h, shape);
     um_diagnosis_report_value_text(h->energy, h->energy_sigma, "+-", energy);
-    printf("  %s %s: %s J from %s +- %.2g s for %.4g s, explains a chi-square of %.4g\n",
+    printf("  %s %s: %s J from %s +- %.2g s%s; explains a chi-square of %.4g\n",
            i == 0 && u->found ? "missing heat of"
            : i == 0           ? "at most heat of"
                               : "or of",
-           h->place, energy, start, h->start_sigma, h->stop - h->start, h->chi2_explained);
+           h->place, energy, start, h->start_sigma, shape, h->chi2_explained);
   }
 }
 

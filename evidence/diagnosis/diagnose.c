@@ -152,8 +152,8 @@ static enum um_status look_for_heat(struct um_context *context,
   return status;
 }
 
-/* The effects that were added may only mimic a pulse of heat. So the BIC of the scenario with the
- * best pulse, which has four parameters, is compared with that of the scenario with the effects. */
+/* The effects that were added may only mimic heat. So the BIC of the scenario with the best heat,
+ * which has the parameters of its shape, is compared with that of the scenario with the effects. */
 static enum um_status weigh_heat(struct um_context *context, const struct um_diagnosis_work *work,
                                  struct um_diagnosis_state *state,
                                  const struct um_diagnosis_state *bare, struct um_diagnosis *d)

@@ -79,8 +79,6 @@
 #define UM_DIAGNOSIS_PRIOR_ONE     0.35
 #define UM_DIAGNOSIS_PRIOR_SEVERAL 0.1
 #define UM_DIAGNOSIS_PRIOR_NONE    0.05
-/* Parameters of a pulse in BIC [1]. Counted: place, start, stop, power. */
-#define UM_DIAGNOSIS_OF_A_PULSE 4.0
 
 /* ---- what convinces a sceptic (sceptic.c) ---- */
 

@@ -145,7 +145,7 @@ enum um_status um_diagnosis_superseded_take(struct um_context *context, struct u
 /* Keep on record those that are neither in the final state nor in a step. */
 void um_diagnosis_superseded_keep(const struct um_diagnosis_state *state, struct um_diagnosis *d);
 
-/* BIC of a fitted state with the best pulse of heat added. */
+/* BIC of a fitted state with the best missing heat added, each number of its shape counted. */
 double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,
                               const struct um_inference_fit *fit);
 

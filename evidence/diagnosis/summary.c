@@ -245,13 +245,14 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 
 static void add_heat(struct text *text, const struct um_missing_heat_unexplained *u)
 {
-  char start[40];
+  char start[40], shape[UM_MISSING_HEAT_TEXT];
   if (u == NULL || u->nheat == 0) return;
   const struct um_missing_heat *h = &u->heat[0];
-  um_orbit_time_format(h->start, start);
-  add(text, ". %s %.4g +- %.2g J in %s from %s +- %.2g s for %.4g s",
+  um_orbit_time_format(h->course.start, start);
+  um_missing_heat_text(h, shape);
+  add(text, ". %s %.4g +- %.2g J in %s from %s +- %.2g s%s",
       u->found ? "Missing heat explains it:" : "Missing heat explains only a part:", h->energy,
-      h->energy_sigma, h->place, start, h->start_sigma, h->stop - h->start);
+      h->energy_sigma, h->place, start, h->start_sigma, shape);
 }
 
 static void say_not_identifiable(struct text *text, const struct um_diagnosis *d)

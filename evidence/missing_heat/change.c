@@ -1,37 +1,20 @@
-/* The power of a pulse of heat by the model itself. The linear response serves to find the pulse,
- * but a few kelvins change the radiance non-linearly by per cents. So the model is run with the
- * pulse as a source, and the power follows from a line through 0 and the result:
- *
- *   P <- P d'r / d'd,   d the change of the observations at P, both after the nuisances,
- *
- * until it moves by less than a hundredth. These are secant steps, so the error is then far less.
- */
+/* What heat does by the model itself. The linear response serves to find the heat, but a few
+ * kelvins change the radiance non-linearly by per cents. */
 #include "evidence/missing_heat/change_impl.h"
 
-#include <math.h>
-
 #include "base/inference/algebra.h"
-#include "evidence/missing_heat/policy.h"
 
-/* Values over sigma of the observations with the pulse. */
+/* Values over sigma of the observations with a source. */
 static enum um_status run_with(struct um_context *context, const struct um_missing_heat_base *base,
-                               const struct um_missing_heat_place *place, double from, double to,
-                               double power, double *value)
+                               const struct um_thermal_source *source, double *value)
 {
   enum um_status status;
   struct um_sensitivity_forward *f = base->forward;
   const struct um_variant_heat heat = um_sensitivity_forward_heat(f);
   struct um_variant v = {0};
   struct um_model_result *result = NULL;
-  double t[] = {from, from, to, to}, watts[] = {0.0, power, power, 0.0};
-  const struct um_thermal_source source = {.node = place->node,
-                                           .weight = place->weight,
-                                           .nnode = place->nnode,
-                                           .t = t,
-                                           .power = watts,
-                                           .nrow = 4};
   const struct um_model_changes changes = {
-      .addition = base->addition, .naddition = base->naddition, .source = &source, .nsource = 1};
+      .addition = base->addition, .naddition = base->naddition, .source = source, .nsource = 1};
   UM_CHECK(um_variant_open(context, f->evaluator, &changes, &heat, &v));
   UM_CHECK(um_variant_observe(context, f->evaluator, &v, &result));
   UM_CHECK(um_missing_heat_predict(context, base, result, value));
@@ -45,29 +28,31 @@ done:
 enum um_status um_missing_heat_change(struct um_context *context,
                                       const struct um_missing_heat_base *base,
                                       struct um_inference_projection *projection,
-                                      const double *residual,
-                                      const struct um_missing_heat_place *place, double from,
-                                      double to, double *power, double *chi2)
+                                      const struct um_missing_heat_place *place,
+                                      const struct um_missing_heat_fit *fit, double end,
+                                      double *change)
 {
   enum um_status status;
-  size_t nobservation = base->forward->observations.count, nleft = projection->nleft;
-  double *cold = NULL, *value = NULL, *left = NULL;
-  UM_CHECK(um_core_allocate(context, nobservation, sizeof *cold, &cold));
-  UM_CHECK(um_core_allocate(context, nobservation, sizeof *value, &value));
-  UM_CHECK(um_core_allocate(context, nleft, sizeof *left, &left));
+  size_t n = base->forward->observations.count;
+  size_t nrow = um_missing_heat_course_rows(&fit->course, end, NULL, NULL);
+  double *cold = NULL, *value = NULL, *t = NULL, *power = NULL;
+  UM_CHECK(um_core_allocate(context, n, sizeof *cold, &cold));
+  UM_CHECK(um_core_allocate(context, n, sizeof *value, &value));
+  UM_CHECK(um_core_allocate(context, nrow, sizeof *t, &t));
+  UM_CHECK(um_core_allocate(context, nrow, sizeof *power, &power));
+  um_missing_heat_course_rows(&fit->course, end, t, power);
+  for (size_t i = 0; i < nrow; i++) power[i] *= fit->power;
+  const struct um_thermal_source source = {.node = place->node,
+                                           .weight = place->weight,
+                                           .nnode = place->nnode,
+                                           .t = t,
+                                           .power = power,
+                                           .nrow = nrow};
+  UM_CHECK(run_with(context, base, &source, value));
   UM_CHECK(um_missing_heat_predict(context, base, base->result, cold));
-  for (int k = 0; k < UM_MISSING_HEAT_STEPS; k++) {
-    UM_CHECK(run_with(context, base, place, from, to, *power, value));
-    for (size_t j = 0; j < nobservation; j++) value[j] -= cold[j];
-    um_inference_projection_apply(projection, value, left);
-    double square = um_inference_dot(nleft, left, left);
-    double with = um_inference_dot(nleft, left, residual);
-    if (!(square > 0.0) || !(with > 0.0)) break; /* no power improves the fit */
-    *power *= with / square;
-    *chi2 = with * with / square;
-    if (fabs(with / square - 1.0) < UM_MISSING_HEAT_SETTLED) break;
-  }
+  for (size_t j = 0; j < n; j++) value[j] -= cold[j];
+  um_inference_projection_apply(projection, value, change);
 done:
-  UM_FREE(context, cold, value, left);
+  UM_FREE(context, cold, value, t, power);
   return status;
 }

@@ -163,10 +163,33 @@ static const struct pair {
 };
 
 /* Heat that is in no catalogue: the radiator's wall, and everything inside. */
+#define WALL   "bus.-x", "parts.bus.groups.-x.power_file"
+#define INSIDE "bus.interior", "parts.bus.interior.power_file"
 static const struct lab_pulse pulses[] = {
-    {"bus.-x", "parts.bus.groups.-x.power_file", 500.0, 240.0, 360.0},
-    {"bus.interior", "parts.bus.interior.power_file", 2000.0, 180.0, 330.0},
+    {WALL, UM_HEAT_PULSE, 500.0, 240.0, 120.0, 0.0},
+    {INSIDE, UM_HEAT_PULSE, 2000.0, 180.0, 150.0, 0.0},
+    {WALL, UM_HEAT_STEP, 200.0, 260.0, 0.0, 0.0},
+    {INSIDE, UM_HEAT_STEP, 900.0, 200.0, 0.0, 0.0},
+    {WALL, UM_HEAT_DECAY, 700.0, 220.0, 90.0, 0.0},
+    {INSIDE, UM_HEAT_DECAY, 2500.0, 170.0, 130.0, 0.0},
+    {WALL, UM_HEAT_PERIODIC, 400.0, 130.0, 55.0, 130.0},
+    {INSIDE, UM_HEAT_PERIODIC, 2000.0, 110.0, 70.0, 160.0},
 };
+
+/* Energy until the end of the pass [J], by small steps. */
+static double energy_of(const struct lab_pulse *p)
+{
+  double sum = 0.0, step = 0.01;
+  for (double t = p->from_s + 0.5 * step; t < LAB_PULSE_END; t += step) {
+    double since = t - p->from_s;
+    if (p->shape == UM_HEAT_DECAY)
+      sum += step * exp(-since / p->last_s);
+    else if (p->shape == UM_HEAT_STEP ||
+             (p->shape == UM_HEAT_PERIODIC ? fmod(since, p->period_s) : since) < p->last_s)
+      sum += step;
+  }
+  return p->power * sum;
+}
 
 struct list {
   const struct lab_options *options;
@@ -196,7 +219,8 @@ void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT])
     lab_hidden_name(&c->hidden[i], name, sizeof name);
     lab_append(out, LAB_TEXT, name);
   }
-  if (c->pulse != NULL) snprintf(out, LAB_TEXT, "pulse:%s", c->pulse->place);
+  if (c->pulse != NULL)
+    snprintf(out, LAB_TEXT, "%s:%s", um_missing_heat_shape_name(c->pulse->shape), c->pulse->place);
   if (out[0] == '\0' && strcmp(c->part, "switches") == 0)
     snprintf(out, LAB_TEXT, "%s", c->world->without);
   if (out[0] == '\0') snprintf(out, LAB_TEXT, "-");
@@ -210,8 +234,7 @@ void lab_case_value(const struct lab_case *c, char out[LAB_TEXT])
     snprintf(text, sizeof text, "%.9g", c->hidden[i].value);
     lab_append(out, LAB_TEXT, text);
   }
-  if (c->pulse != NULL) /* energy [J] */
-    snprintf(out, LAB_TEXT, "%.9g", c->pulse->power * (c->pulse->to_s - c->pulse->from_s));
+  if (c->pulse != NULL) snprintf(out, LAB_TEXT, "%.9g+%.9g", energy_of(c->pulse), c->pulse->from_s);
   if (out[0] == '\0') snprintf(out, LAB_TEXT, "-");
 }
 

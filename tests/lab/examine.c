@@ -92,17 +92,21 @@ static void describe(const struct um_diagnosis *d, const struct lab_case *c, str
   row->rms_after = worst_rms(d->forward, d->value_after);
 }
 
-/* A pulse is found where the first of the histories says; times are those of the satellite. */
+/* Heat is found where the first of the histories says; times are those of the satellite. */
 static void describe_pulse(const struct um_diagnosis *d, const struct lab_case *c, double start,
                            struct lab_row *row)
 {
   const struct um_missing_heat_unexplained *u = d->unexplained;
   row->found[0] = row->fitted[0] = row->sigma[0] = '\0';
   if (u == NULL || !u->found || u->nheat == 0) return;
-  snprintf(row->found, sizeof row->found, "%s", u->heat[0].place);
-  append_number(row->fitted, sizeof row->fitted, u->heat[0].energy);
-  append_number(row->sigma, sizeof row->sigma, u->heat[0].energy_sigma);
-  row->start_error_s = u->heat[0].start - (start + c->pulse->from_s);
+  const struct um_missing_heat *h = &u->heat[0];
+  snprintf(row->found, sizeof row->found, "%s:%s", um_missing_heat_shape_name(h->course.shape),
+           h->place);
+  append_number(row->fitted, sizeof row->fitted, h->energy);
+  append_number(row->fitted, sizeof row->fitted, h->course.start - start);
+  append_number(row->sigma, sizeof row->sigma, h->energy_sigma);
+  append_number(row->sigma, sizeof row->sigma, h->start_sigma);
+  row->start_error_s = h->course.start - (start + c->pulse->from_s);
 }
 
 static void dash(char *text, size_t size)

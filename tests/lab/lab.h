@@ -13,6 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "evidence/missing_heat/shape.h"
 #include "evidence/sensitivity/candidates.h"
 #include "model/build/model.h"
 
@@ -59,12 +60,16 @@ struct lab_case {
   uint64_t seed;
 };
 
+/* Heat that is in no catalogue. */
 struct lab_pulse {
-  const char *place;   /* that it heats */
-  const char *key;     /* of the scenario, that takes a table of power */
-  double power;        /* [W] */
-  double from_s, to_s; /* since the first observation */
+  const char *place; /* that it heats */
+  const char *key;   /* of the scenario, that takes a table of power */
+  enum um_missing_heat_shape shape;
+  double power; /* [W] */
+  double from_s, last_s,
+      period_s; /* the first since the first observation; 0 where there is none */
 };
+#define LAB_PULSE_END 690.0 /* last observation of that pass, since the first [s] */
 
 /* What came of a case: a row of cases.csv. Texts hold no comma; lists are joined by '+'. */
 struct lab_row {
@@ -92,7 +97,8 @@ struct lab_options {
 
 /* cases.c: everything that is to be tried, in order; *out is freed by the caller. */
 size_t lab_cases_make(const struct lab_options *options, struct lab_case **out);
-/* "effect:target+effect:target", "pulse:place" or "-"; "value+value" */
+/* "effect:target+effect:target", "shape:place" or "-"; "value+value", of heat energy [J] and
+ * start [s since the first observation] */
 void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_case_value(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size);

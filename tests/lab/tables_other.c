@@ -1,4 +1,4 @@
-/* Of complete models, two effects at once, pairs and pulses. */
+/* Of complete models, two effects at once, pairs and heat. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,27 +102,32 @@ static void of_pairs(const struct lab_case *cases, size_t count, const struct la
 static void of_pulses(const struct lab_case *cases, size_t count, const struct lab_row *row,
                       size_t nrow, struct lab_figures *figures)
 {
-  size_t n = 0, called = 0, place = 0, start = 0, energy = 0;
+  size_t n = 0, called = 0, place = 0, shape = 0, start = 0, energy = 0;
   for (size_t i = 0; i < count; i++) {
     const struct lab_row *r;
     const struct lab_case *c = &cases[i];
     if (strcmp(c->part, "pulse") != 0) continue;
     if ((r = lab_journal_find(row, nrow, c)) == NULL) continue;
-    if (n++ == 0) printf("\npulses\n");
-    double truth = strtod(r->value, NULL), found = strtod(r->fitted, NULL);
+    if (n++ == 0) printf("\nheat\n");
+    double truth[2] = {NAN, NAN}, found[2] = {NAN, NAN}, sigma[2] = {NAN, NAN};
+    sscanf(r->value, "%lf+%lf", &truth[0], &truth[1]);
+    sscanf(r->fitted, "%lf+%lf", &found[0], &found[1]);
+    sscanf(r->sigma, "%lf+%lf", &sigma[0], &sigma[1]);
+    const char *at = strchr(r->found, ':');
     called += strcmp(r->verdict, "unexplained") == 0;
-    place += strcmp(r->found, c->pulse->place) == 0;
-    start += fabs(r->start_error_s) <= 2.0 * LAB_INTERVAL;
-    energy += fabs(found / truth - 1.0) <= 0.2;
-    printf("%-14s %s at %s, start %+.1f s off, energy %.4g of %.4g J\n", c->pulse->place,
-           r->verdict, r->found, r->start_error_s, found, truth);
+    place += at != NULL && strcmp(at + 1, c->pulse->place) == 0;
+    shape += strcmp(r->found, r->hidden) == 0;
+    start += fabs(r->start_error_s) <= 3.0 * sigma[1];
+    energy += fabs(found[0] - truth[0]) <= 3.0 * sigma[0];
+    printf("%-22s %s, %s, start %+.2f +- %.2f s off, energy %.4g +- %.2g of %.4g J\n", r->hidden,
+           r->verdict, r->found, r->start_error_s, sigma[1], found[0], sigma[0], truth[0]);
   }
   if (n == 0) return;
-  lab_figures_add(figures, "heat pulses: called unexplained", "1", share(called, n), 1.0, true);
-  lab_figures_add(figures, "heat pulses: place found", "1", share(place, n), 1.0, true);
-  lab_figures_add(figures, "heat pulses: start within two intervals", "1", share(start, n), 1.0,
-                  true);
-  lab_figures_add(figures, "heat pulses: energy within 20 %", "1", share(energy, n), 1.0, true);
+  lab_figures_add(figures, "heat: called unexplained", "1", share(called, n), 1.0, true);
+  lab_figures_add(figures, "heat: place found", "1", share(place, n), 1.0, true);
+  lab_figures_add(figures, "heat: shape found", "1", share(shape, n), 0.9, true);
+  lab_figures_add(figures, "heat: start within three sigma", "1", share(start, n), 0.95, true);
+  lab_figures_add(figures, "heat: energy within three sigma", "1", share(energy, n), 0.95, true);
 }
 
 void lab_tables_other(const struct lab_case *cases, size_t count, const struct lab_row *row,

@@ -14,21 +14,34 @@
 #include "orbit/time.h"
 #include "tests/lab/lab.h"
 
-/* The pulse alone, added to what the scenario states: a jump is two rows of one time. */
+static void put_jump(FILE *file, double t, double from, double to)
+{
+  char text[32];
+  um_orbit_time_format(t, text);
+  fprintf(file, "%s,%.9g\n%s,%.9g\n", text, from, text, to);
+}
+
+/* The heat alone, added to what the scenario states: a jump is two rows of one time, a decay has a
+ * row a second. */
 static enum um_status write_power(struct um_context *context, double start,
                                   const struct lab_pulse *pulse, const char *path)
 {
-  const double t[] = {start - 86400.0,     start + pulse->from_s, start + pulse->from_s,
-                      start + pulse->to_s, start + pulse->to_s,   start + 86400.0};
-  const double power[] = {0.0, 0.0, pulse->power, pulse->power, 0.0, 0.0};
+  double from = start + pulse->from_s, end = start + LAB_PULSE_END + 60.0;
   FILE *file = fopen(path, "w");
   if (file == NULL) return um_core_fail(context, UM_ERR_IO, "%s: cannot be written", path);
   fputs("time_utc,power_W\n", file);
-  for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
-    char text[32];
-    um_orbit_time_format(t[i], text);
-    fprintf(file, "%s,%.9g\n", text, power[i]);
+  put_jump(file, start - 86400.0, 0.0, 0.0);
+  if (pulse->shape == UM_HEAT_DECAY) put_jump(file, from, 0.0, pulse->power);
+  for (double t = 1.0; pulse->shape == UM_HEAT_DECAY && from + t < end; t += 1.0) {
+    double power = pulse->power * exp(-t / pulse->last_s);
+    put_jump(file, from + t, power, power);
   }
+  for (double t = from; pulse->shape != UM_HEAT_DECAY && t < end; t += pulse->period_s) {
+    put_jump(file, t, 0.0, pulse->power);
+    put_jump(file, pulse->shape == UM_HEAT_STEP ? end : t + pulse->last_s, pulse->power, 0.0);
+    if (pulse->shape != UM_HEAT_PERIODIC) break;
+  }
+  put_jump(file, start + 86400.0, 0.0, 0.0);
   bool failed = ferror(file) != 0;
   failed |= fclose(file) != 0;
   return failed ? um_core_fail(context, UM_ERR_IO, "%s: writing failed", path) : UM_OK;
@@ -77,7 +90,8 @@ enum um_status lab_truth_create(struct um_context *context, const struct lab_cas
   UM_CHECK(build(context, c, plain, NULL, out));
   if (c->pulse != NULL && !plain) { /* the table needs the times of the scenario */
     char path[LAB_TEXT * 4], *absolute = NULL;
-    snprintf(path, sizeof path, "%s/power-%s-%llu.csv", folder, c->pulse->place,
+    snprintf(path, sizeof path, "%s/power-%s-%s-%llu.csv", folder,
+             um_missing_heat_shape_name(c->pulse->shape), c->pulse->place,
              (unsigned long long)c->seed);
     UM_CHECK(write_power(context, out->model->scenario->time->start, c->pulse, path));
     absolute = realpath(path, NULL);

@@ -65,7 +65,7 @@ typedef enum um_status um_thermal_sensitivity_take(void *user, size_t k, const d
  * variants as above, for pulses on nodes that are not there, with weights that are not finite, or
  * that end before they begin; UM_ERR_NUMERIC. Accuracy: 1e-3 of the largest answer with the default
  * tolerance, against central differences of tight runs (tests/thermal/tangent/sensitivity.c,
- * pulse.c). Twenty parameters cost 3 to 8 runs (tests/bench/heat.c). */
+ * sensitivity_pulse.c). Twenty parameters cost 3 to 8 runs (tests/bench/heat.c). */
 enum um_status um_thermal_sensitivity(struct um_context *context,
                                       const struct um_thermal_network *network,
                                       const struct um_irradiation_loads *loads,

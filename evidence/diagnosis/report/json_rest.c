@@ -1,5 +1,7 @@
 /* The end of diagnosis.json: what others replaced, what the residual looks like, what to measure
  * next, missing heat, cost. */
+#include <math.h>
+
 #include "evidence/diagnosis/report/report_impl.h"
 
 #include "base/core/json.h"
@@ -148,20 +150,30 @@ void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *
 static void json_heat(FILE *file, const struct um_missing_heat *heat)
 {
   um_core_json_text(file, "", "part", heat->place);
-  um_diagnosis_report_json_time(file, ", ", "start_utc", heat->start);
+  um_core_json_text(file, ", ", "shape", um_missing_heat_shape_name(heat->course.shape));
+  um_diagnosis_report_json_time(file, ", ", "start_utc", heat->course.start);
   um_core_json_field(file, ", ", "start_sigma_s", heat->start_sigma);
   um_diagnosis_report_json_time(file, ", ", "stop_utc", heat->stop);
+  um_core_json_field(file, ", ", "last_s", isfinite(heat->course.last) ? heat->course.last : NAN);
+  um_core_json_field(file, ", ", "last_sigma_s", heat->last_sigma);
+  um_core_json_field(file, ", ", "period_s", heat->course.period);
+  um_core_json_field(file, ", ", "period_sigma_s", heat->period_sigma);
   um_core_json_field(file, ", ", "power_W", heat->power);
   um_core_json_field(file, ", ", "energy_J", heat->energy);
   um_core_json_field(file, ", ", "energy_sigma_J", heat->energy_sigma);
   um_core_json_field(file, ", ", "chi2_explained", heat->chi2_explained);
-  fputs(",\n      \"history\": [", file);
+  for (int s = 0; s < UM_HEAT_SHAPES; s++)
+    um_core_json_field(file, s == 0 ? ", \"bic_behind\": {" : ", ",
+                       um_missing_heat_shape_name((enum um_missing_heat_shape)s), heat->behind[s]);
+  fputs("},\n      \"history\": [", file);
   for (size_t i = 0; i < heat->nbin; i++) {
     um_diagnosis_report_json_time(file, i > 0 ? ",\n        {" : "\n        {", "from_utc",
                                   heat->t[i]);
     um_diagnosis_report_json_time(file, ", ", "to_utc", heat->t[i + 1]);
     um_core_json_field(file, ", ", "heat_W", heat->heat[i]);
     um_core_json_field(file, ", ", "sigma_W", heat->sigma[i]);
+    um_core_json_field(file, ", ", "low_W", heat->low[i]);
+    um_core_json_field(file, ", ", "high_W", heat->high[i]);
     fputc('}', file);
   }
   fputc(']', file);

@@ -221,7 +221,7 @@ enum um_status um_diagnosis_report_plot_ranking(struct um_context *context,
 
 #define HEAT 360 /* height of the panel [pixels] */
 
-/* By the heat and its pulse; what is known worse than a few times either leaves the axis. Returns
+/* By the heat and its course; what is known worse than a few times either leaves the axis. Returns
  * the unit of the axis [W] in *unit. */
 static enum um_status heat_axis(struct um_context *context, const struct um_missing_heat *h,
                                 struct um_plot *plot, double *unit)
@@ -234,8 +234,8 @@ static enum um_status heat_axis(struct um_context *context, const struct um_miss
   value[0] = h->power;
   for (size_t i = 0; i < h->nbin; i++) {
     value[1 + i] = h->heat[i];
-    value[n + 2 * i] = h->heat[i] - h->sigma[i];
-    value[n + 2 * i + 1] = h->heat[i] + h->sigma[i];
+    value[n + 2 * i] = h->low[i];
+    value[n + 2 * i + 1] = h->high[i];
   }
   const struct um_plot_values of[] = {{value, n, UM_PLOT_MOST},
                                       {value + n, 2 * h->nbin, UM_PLOT_NEAR}};
@@ -249,18 +249,42 @@ static enum um_status heat_axis(struct um_context *context, const struct um_miss
   return UM_OK;
 }
 
+/* $course: what was fitted, to the end of the axis. */
+static enum um_status plot_course(struct um_context *context, const struct um_missing_heat *h,
+                                  const struct um_plot_time *time, double unit,
+                                  struct um_plot *plot)
+{
+  size_t n = um_missing_heat_course_rows(&h->course, h->t[h->nbin], NULL, NULL);
+  double *t = NULL, *power = NULL;
+  enum um_status status;
+  UM_CHECK(um_core_allocate(context, n, sizeof *t, &t));
+  UM_CHECK(um_core_allocate(context, n, sizeof *power, &power));
+  um_missing_heat_course_rows(&h->course, h->t[h->nbin], t, power);
+  um_plot_add(plot, "$course << EOD\n0,0\n");
+  for (size_t i = 0; i < n; i++)
+    um_plot_add(plot, "%.6f,%.6g\n",
+                fmin(um_plot_time_at(time, t[i]), um_plot_time_at(time, time->last)),
+                h->power / unit * power[i]);
+  um_plot_add(plot, "%.6f,%.6g\nEOD\n", um_plot_time_at(time, time->last),
+              h->power / unit * power[n - 1]);
+done:
+  UM_FREE(context, t, power);
+  return status;
+}
+
 enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
                                              const struct um_diagnosis *diagnosis,
                                              struct um_plot *plot)
 {
   const struct um_missing_heat *h = &diagnosis->unexplained->heat[0];
   struct um_plot_time time = um_diagnosis_report_plot_time(h->t[0], h->t[h->nbin]);
-  char energy[80], below[300];
+  char energy[80], below[300], best[40];
   double unit;
   um_diagnosis_report_value_text(h->energy, h->energy_sigma, "±", energy);
-  snprintf(below, sizeof below, "%s %.150s: best pulse %s J",
+  snprintf(below, sizeof below, "%s %.150s: %s of %s J",
            diagnosis->unexplained->found ? "missing heat of" : "explains only a part: heat of",
-           h->place, energy);
+           h->place, um_missing_heat_shape_name(h->course.shape), energy);
+  snprintf(best, sizeof best, "best %s", um_missing_heat_shape_name(h->course.shape));
   um_plot_picture(plot, "heat", WIDTH, TOP + 24 + HEAT + 58);
   um_plot_title(plot, diagnosis->forward->model->scenario->name, below);
   um_plot_time_axis(plot, &time);
@@ -270,18 +294,18 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
   UM_TRY(heat_axis(context, h, plot, &unit));
   um_plot_add(plot, "$heat << EOD\n");
   for (size_t i = 0; i < h->nbin; i++)
-    um_plot_add(plot, "%.6f,%.6f,%.6g,%.6g\n", um_plot_time_at(&time, h->t[i]),
-                um_plot_time_at(&time, h->t[i + 1]), h->heat[i] / unit, h->sigma[i] / unit);
-  double from = um_plot_time_at(&time, h->start), to = um_plot_time_at(&time, h->stop);
+    um_plot_add(plot, "%.6f,%.6f,%.6g,%.6g,%.6g\n", um_plot_time_at(&time, h->t[i]),
+                um_plot_time_at(&time, h->t[i + 1]), h->heat[i] / unit, h->low[i] / unit,
+                h->high[i] / unit);
+  um_plot_add(plot, "EOD\n");
+  UM_TRY(plot_course(context, h, &time, unit, plot));
   um_plot_add(
       plot,
-      "EOD\n$pulse << EOD\n0,0\n%.6f,0\n%.6f,%.6g\n%.6f,%.6g\n%.6f,0\n%.6f,0\nEOD\n"
       "set style fill transparent solid 0.25 noborder\n"
-      "plot 0 with lines linecolor rgb '#888888' notitle, $heat using 1:3:1:2:($3-$4):($3+$4) "
-      "with boxxyerror linecolor rgb '#1f4e9c' title '± σ', $heat using 1:3:($2-$1):(0) "
-      "with vectors nohead linewidth 2 linecolor rgb '#1f4e9c' title 'reconstructed', $pulse "
-      "using 1:2 with lines linewidth 2 dashtype (6,4) linecolor rgb '#c2410c' title 'best "
-      "pulse'\n",
-      from, from, h->power / unit, to, h->power / unit, to, um_plot_time_at(&time, time.last));
+      "plot 0 with lines linecolor rgb '#888888' notitle, $heat using 1:3:1:2:4:5 "
+      "with boxxyerror linecolor rgb '#1f4e9c' title '95 %%', $heat using 1:3:($2-$1):(0) "
+      "with vectors nohead linewidth 2 linecolor rgb '#1f4e9c' title 'reconstructed', $course "
+      "using 1:2 with lines linewidth 2 dashtype (6,4) linecolor rgb '#c2410c' title %s\n",
+      best);
   return UM_OK;
 }

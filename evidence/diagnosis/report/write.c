@@ -123,7 +123,7 @@ static enum um_status write_fit(struct um_context *context, const struct um_diag
 
 static void write_heat(const struct um_missing_heat_unexplained *u, FILE *file)
 {
-  fputs("from_utc,to_utc,place,heat_W,sigma_W\n", file);
+  fputs("from_utc,to_utc,place,heat_W,sigma_W,low_W,high_W\n", file);
   for (size_t h = 0; h < u->nheat; h++)
     for (size_t i = 0; i < u->heat[h].nbin; i++) {
       char from[40], to[40];
@@ -133,6 +133,8 @@ static void write_heat(const struct um_missing_heat_unexplained *u, FILE *file)
       um_core_csv_put(file, u->heat[h].place, "");
       um_core_csv_put_number(file, u->heat[h].heat[i]);
       um_core_csv_put_number(file, u->heat[h].sigma[i]);
+      um_core_csv_put_number(file, u->heat[h].low[i]);
+      um_core_csv_put_number(file, u->heat[h].high[i]);
       fputc('\n', file);
     }
 }

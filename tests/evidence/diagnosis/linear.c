@@ -199,13 +199,20 @@ static void variants_of_one_effect_are_no_pair(void **state)
   assert_true(best[0].candidate[0] == 0 && best[0].candidate[1] == 1);
 }
 
-/* 90 observations, 2 nuisances: 70 + 1.5 + (2 + 4) ln 90 = 98.498858. */
-static void pulse_of_heat_has_four_parameters(void **state)
+/* 90 observations, 2 nuisances, a pulse: 70 + 1.5 + (2 + 4) ln 90 = 98.498858. What is on and off
+ * has one number more, ln 90 = 4.499810; no place, none. */
+static void heat_costs_the_numbers_of_its_shape(void **state)
 {
   (void)state;
-  const struct um_missing_heat_unexplained heat = {.chi2_before = 200.0, .chi2_after = 70.0};
+  struct um_missing_heat place = {.nparameter = um_missing_heat_shape_parameters(UM_HEAT_PULSE)};
+  struct um_missing_heat_unexplained heat = {
+      .chi2_before = 200.0, .chi2_after = 70.0, .nheat = 1, .heat = &place};
   const struct um_inference_fit fit = {.nobservation = 90, .nparameter = 2, .chi2_prior = 1.5};
   assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 98.498858) <= 1e-6);
+  place.nparameter = um_missing_heat_shape_parameters(UM_HEAT_PERIODIC);
+  assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 98.498858 - 4.499810) <= 1e-6);
+  heat.nheat = 0;
+  assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 71.5 - 2.0 * 4.499810) <= 1e-5);
 }
 
 int main(void)
@@ -217,7 +224,7 @@ int main(void)
       cmocka_unit_test(only_its_own_prior_keeps_out),
       cmocka_unit_test(not_fitted_is_not_tied),
       cmocka_unit_test(variants_of_one_effect_are_no_pair),
-      cmocka_unit_test(pulse_of_heat_has_four_parameters),
+      cmocka_unit_test(heat_costs_the_numbers_of_its_shape),
   };
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

@@ -37,7 +37,11 @@ static void test_json(const char *path)
       "\"next_measurement\": {\"what\": \"temperature of bus.+y in the umbra\"",
       "\"segment\": \"umbra\"",
       "\"unexplained\": {\"coordinate\": \"time_s\"",
-      "\"part\": \"bus.interior\", \"start_utc\": \"2016-09-06T18:10:00.000Z\"",
+      "\"part\": \"bus.interior\", \"shape\": \"pulse\", \"start_utc\": "
+      "\"2016-09-06T18:10:00.000Z\"",
+      "\"last_s\": 80",
+      "\"period_s\": null",
+      "\"bic_behind\": {\"step\": 0",
       "\"energy_J\": 4400",
       "\"history\": [",
       "\"ranking\": [",

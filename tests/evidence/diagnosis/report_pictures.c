@@ -79,7 +79,7 @@ static void test_titles(void **state)
       ("'not identifiable: internal_power of bus (drawn) or emittance:grey_white, "
        "panel_extraction of panel'"),
       "'pass: band irradiance lwir: rms ",
-      "'explains only a part: heat of bus.interior: best pulse 4400 ± 300 J'"};
+      "'explains only a part: heat of bus.interior: pulse of 4400 ± 300 J'"};
   expect_in(script, want, sizeof want / sizeof want[0]);
   assert_null(strstr(script, "'with "));
   um_core_free(context, script);

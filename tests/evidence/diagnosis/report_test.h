@@ -39,7 +39,7 @@ struct world {
   struct um_diagnosis_superseded superseded;
   struct um_missing_heat_unexplained unexplained;
   struct um_missing_heat heat;
-  double edge[41], history[40], history_sigma[40];
+  double edge[41], history[40], history_sigma[40], history_low[40], history_high[40];
   struct um_diagnosis d;
 };
 
@@ -120,11 +120,14 @@ static inline void unexplained(struct world *w)
   for (int i = 0; i < 40; i++) {
     w->history[i] = 60.0 * exp(-pow((i - 18.0) / 5.0, 2.0)) + 3.0 * sin(2.3 * i);
     w->history_sigma[i] = 6.0;
+    w->history_low[i] = w->history[i] - 12.0;
+    w->history_high[i] = w->history[i] + 12.0;
   }
   static char place[] = "bus.interior", coordinate[] = "time_s", channel[] = "temperature bus";
   w->heat = (struct um_missing_heat){.place = place,
                                      .chi2_explained = 400.0,
-                                     .start = first + 120.0,
+                                     .course = {UM_HEAT_PULSE, first + 120.0, 80.0, NAN},
+                                     .nparameter = 4,
                                      .stop = first + 200.0,
                                      .start_sigma = 4.0,
                                      .power = 55.0,
@@ -133,7 +136,9 @@ static inline void unexplained(struct world *w)
                                      .nbin = 40,
                                      .t = w->edge,
                                      .heat = w->history,
-                                     .sigma = w->history_sigma};
+                                     .sigma = w->history_sigma,
+                                     .low = w->history_low,
+                                     .high = w->history_high};
   w->unexplained = (struct um_missing_heat_unexplained){.coordinate = coordinate,
                                                         .channel = channel,
                                                         .p = 1e-5,

@@ -276,8 +276,11 @@ static void abstaining_begins_with_the_residual(void **state)
   static char channel[] = "temperature bus.+y", coordinate[] = "since_shadow_entry_s";
   static char place[] = "bus.+y";
   struct um_missing_heat heat = {.place = place,
-                                 .start = 0.0,
+                                 .course = {UM_HEAT_PULSE, 0.0, 90.0, NAN},
                                  .stop = 90.0,
+                                 .power = 48.9,
+                                 .last_sigma = 6.0,
+                                 .behind = {30.0, 0.0, 3.1, 40.0},
                                  .start_sigma = 4.0,
                                  .energy = 4400.0,
                                  .energy_sigma = 300.0};
@@ -297,7 +300,8 @@ static void abstaining_begins_with_the_residual(void **state)
   assert_non_null(strstr(sentence, "3 sigma above the model"));
   assert_non_null(strstr(sentence, "correlates with since_shadow_entry_s"));
   assert_non_null(strstr(sentence, "4400 +- 3e+02 J in bus.+y from "));
-  assert_non_null(strstr(sentence, "+- 4 s for 90 s"));
+  assert_non_null(
+      strstr(sentence, "+- 4 s, a pulse of 48.9 W for 90 +- 6 s; or a decay (BIC +3.1)"));
   um_core_free(context, sentence);
 }
 

@@ -1,9 +1,10 @@
-/* Heat that no catalogue has: pulses of known place, start and energy put into a small world by
+/* Heat that no catalogue has: of known place, shape, start and energy, put into a small world by
  * power_file, with noise. The model that looks for them has the same parts, so what is tested is
  * the linear response, the search and the history; the laboratory has other meshes. */
 #include "evidence/missing_heat/unexplained.h"
 
 #include "evidence/missing_heat/observations_impl.h"
+#include "evidence/missing_heat/policy.h"
 #include "tests/base/inference/observations_test.h"
 #include "tests/evidence/sensitivity/forward_test.h"
 #include "tests/support/allocator.h"
@@ -12,10 +13,10 @@
 #define ROWS 90
 #define DAY0 "2016-09-06T18:09:00Z"
 
-struct pulse {
+struct hidden {
   const char *key, *place;
-  int from, to; /* [s] after DAY0 */
-  double power; /* [W] */
+  enum um_missing_heat_shape shape;
+  double from, last, period, power; /* [s] after DAY0, [s], [s], [W] */
 };
 
 static void time_text(double seconds, char out[32])
@@ -44,16 +45,49 @@ static void put_rows(const double *value, const double *noise)
   assert_int_equal(fclose(file), 0);
 }
 
-static void put_power(const struct pulse *p)
+static void put_jump(FILE *file, double t, double from, double to)
+{
+  char text[32];
+  time_text(t, text);
+  fprintf(file, "%s,%.9g\n%s,%.9g\n", text, from, text, to);
+}
+
+/* A decay has a row a second. */
+static void put_power(const struct hidden *p)
 {
   FILE *file = fopen("power.csv", "w");
-  char from[32], to[32];
+  double until = 15.0 * 60.0;
   assert_non_null(file);
-  time_text(p->from, from);
-  time_text(p->to, to);
-  fprintf(file, "time_utc,power_W\n" DAY "00:00Z,0\n%s,0\n%s,%g\n%s,%g\n%s,0\n" DAY "30:00Z,0\n",
-          from, from, p->power, to, p->power, to);
+  fputs("time_utc,power_W\n" DAY "00:00Z,0\n", file);
+  if (p->shape == UM_HEAT_DECAY) put_jump(file, p->from, 0.0, p->power);
+  for (double t = p->from + 1.0; p->shape == UM_HEAT_DECAY && t < until; t += 1.0) {
+    double power = p->power * exp(-(t - p->from) / p->last);
+    put_jump(file, t, power, power);
+  }
+  if (p->shape == UM_HEAT_STEP || p->shape == UM_HEAT_PULSE) {
+    put_jump(file, p->from, 0.0, p->power);
+    put_jump(file, p->shape == UM_HEAT_STEP ? until : p->from + p->last, p->power, 0.0);
+  }
+  for (double t = p->from; p->shape == UM_HEAT_PERIODIC && t < until; t += p->period) {
+    put_jump(file, t, 0.0, p->power);
+    put_jump(file, t + p->last, p->power, 0.0);
+  }
+  fputs(DAY "30:00Z,0\n", file);
   assert_int_equal(fclose(file), 0);
+}
+
+/* Energy until the last observation [J], by small steps. */
+static double energy_of(const struct hidden *p)
+{
+  double sum = 0.0, end = (ROWS - 1) * STEP, step = 0.01;
+  for (double t = p->from + 0.5 * step; t < end; t += step) {
+    double since = t - p->from;
+    if (p->shape == UM_HEAT_DECAY)
+      sum += step * exp(-since / p->last);
+    else if (p->shape == UM_HEAT_STEP || fmod(since, p->period) < p->last)
+      sum += step;
+  }
+  return p->power * sum;
 }
 
 /* Values of the true world (linear = unit of the observations: no magnitudes). */
@@ -74,15 +108,19 @@ static const char *const fine[] = {"thermal.relative_tolerance=1e-9",
                                    "thermal.absolute_tolerance_K=1e-7"};
 static const struct um_model_options fine_options = {.overrides = fine, .noverride = 2};
 
-static const struct pulse pulses[] = {
-    {"parts.bus.interior.power_file", "bus.interior", 150, 270, 120.0},
-    {"parts.panel.groups.plate.power_file", "panel", 120, 180, 300.0},
-    {"parts.bus.groups.+z.power_file", "bus.+z", 200, 320, 250.0},
+#define ONCE 1e9 /* a period after which nothing is observed */
+static const struct hidden hiddens[] = {
+    {"parts.bus.interior.power_file", "bus.interior", UM_HEAT_PULSE, 150, 120, ONCE, 120.0},
+    {"parts.panel.groups.plate.power_file", "panel", UM_HEAT_PULSE, 120, 60, ONCE, 300.0},
+    {"parts.bus.groups.+z.power_file", "bus.+z", UM_HEAT_PULSE, 200, 120, ONCE, 250.0},
+    {"parts.bus.interior.power_file", "bus.interior", UM_HEAT_STEP, 185, ONCE, ONCE, 60.0},
+    {"parts.panel.groups.plate.power_file", "panel", UM_HEAT_DECAY, 130, 80, ONCE, 300.0},
+    {"parts.panel.groups.plate.power_file", "panel", UM_HEAT_PERIODIC, 95, 40, 110, 250.0},
 };
 
 /* The world with a pulse of a power, and measurements of it with `noise` sigma; false light: times
  * this factor. */
-static void put_pulse(const struct pulse *p, double noise, uint64_t seed, double light)
+static void put_hidden(const struct hidden *p, double noise, uint64_t seed, double light)
 {
   double value[3 * ROWS], normal[3 * ROWS];
   char key[128];
@@ -133,11 +171,11 @@ static double day0(void)
 static void test_columns(void **state)
 {
   (void)state;
-  for (size_t i = 0; i < sizeof pulses / sizeof *pulses; i += 2) {
-    struct pulse p = pulses[i];
+  for (size_t i = 0; i < 3; i += 2) {
+    struct hidden p = hiddens[i];
     double value[3 * ROWS], column[3 * ROWS], most = 0.0, off = 0.0;
     p.power = 2.0;
-    put_pulse(&p, 0.0, 0, 1.0);
+    put_hidden(&p, 0.0, 0, 1.0);
     struct um_compare_measurements *m = measured();
     struct um_sensitivity_forward *f = forward_of(&fine_options, m);
     struct um_missing_heat_base base;
@@ -148,7 +186,7 @@ static void test_columns(void **state)
     assert_ok(um_missing_heat_places_create(context, base.variant.model, &place, &nplace));
     assert_int_equal(nplace, 8); /* six walls, an interior, a panel */
     while (strcmp(place[at].name, p.place) != 0) assert_true(++at < nplace);
-    const double edge[2] = {day0() + p.from, day0() + p.to};
+    const double edge[2] = {day0() + p.from, day0() + p.from + p.last};
     assert_ok(um_missing_heat_columns(context, &base, &place[at], 1, 1, edge, column));
     for (size_t j = 0; j < f->observations.count; j++) {
       double change = (f->observations.measured[j] - value[j]) / f->observations.sigma[j];
@@ -166,49 +204,61 @@ static void test_columns(void **state)
   }
 }
 
-/* The history is that of the pulse, smeared: most of it while it lasts, its sum the energy to as
- * much as smoothing and noise may lose. */
-static void check_history(const struct um_missing_heat *h, const struct pulse *p, double start)
+/* The band of the history holds the truth of a bin in 19 of 20, its sum the energy to as much as
+ * noise and small changes may hide. */
+static void check_history(const struct um_missing_heat *h, const struct hidden *p, double start)
 {
-  double sum = 0.0, inside = 0.0, outside = 0.0, energy = p->power * (p->to - p->from);
+  const struct um_missing_heat_course truth = {p->shape, start, p->last, p->period};
+  double sum = 0.0, energy = energy_of(p);
+  size_t held = 0;
   for (size_t b = 0; b < h->nbin; b++) {
-    double middle = 0.5 * (h->t[b] + h->t[b + 1]) - start, length = h->t[b + 1] - h->t[b];
-    bool in = middle > 0.0 && middle < p->to - p->from;
+    double length = h->t[b + 1] - h->t[b];
+    double mean = p->power *
+                  (um_missing_heat_course_energy(&truth, h->t[b + 1]) -
+                   um_missing_heat_course_energy(&truth, h->t[b])) /
+                  length;
     sum += h->heat[b] * length;
-    *(in ? &inside : &outside) += h->heat[b] * length;
-    assert_true(h->sigma[b] > 0.0 && isfinite(h->sigma[b]));
+    held += h->low[b] <= mean && mean <= h->high[b];
+    assert_true(h->sigma[b] >= 0.0 && isfinite(h->sigma[b]));
+    assert_true(h->low[b] <= h->heat[b] && h->heat[b] <= h->high[b]);
   }
-  assert_close(sum, energy, 0.3 * energy);
-  assert_true(inside > fabs(outside));
+  print_message("  history %.4g of %.4g J; the band holds %zu of %zu bins\n", sum, energy, held,
+                h->nbin);
+  if (strcmp(p->place, "bus.+z") != 0) /* it turns out of sight, and then nothing is known */
+    assert_close(sum, energy, 0.2 * energy);
+  assert_true((double)held >= 0.85 * (double)h->nbin);
 }
 
-/* Place right, start within two intervals of the light, energy within 20 % and within four of its
- * sigmas. The level of the light is free in the second. */
-static void test_pulses(void **state)
+/* Place right, start and energy within three of their sigmas, the shape the best or nearly: a wall
+ * that turns out of sight cannot tell. The level of the light is free in the second. */
+static void test_shapes(void **state)
 {
   (void)state;
-  for (size_t i = 0; i < sizeof pulses / sizeof *pulses; i++) {
-    const struct pulse *p = &pulses[i];
-    put_pulse(p, 1.0, 41 + i, 1.0);
+  for (size_t i = 0; i < sizeof hiddens / sizeof *hiddens; i++) {
+    const struct hidden *p = &hiddens[i];
+    put_hidden(p, 1.0, 41 + i, 1.0);
     struct um_missing_heat_unexplained *u = look(i == 1);
-    double energy = p->power * (p->to - p->from), start = day0() + p->from;
+    double energy = energy_of(p), start = day0() + p->from;
     const struct um_missing_heat *h = &u->heat[0];
-    print_message("%s: %s, start %+.1f +- %.1f s, %.4g +- %.2g of %.4g J, chi-square %.4g of "
+    char text[UM_MISSING_HEAT_TEXT];
+    um_missing_heat_text(h, text);
+    print_message("%s %s: %s, start %+.1f +- %.1f s, %.4g +- %.2g of %.4g J%s; chi-square %.4g of "
                   "%.4g, next %s with %.4g; %s with %s (%.2g)\n",
-                  p->place, h->place, h->start - start, h->start_sigma, h->energy, h->energy_sigma,
-                  energy, h->chi2_explained, u->chi2_before, u->heat[1].place,
-                  u->heat[1].chi2_explained, u->channel, u->coordinate, u->p);
+                  p->place, um_missing_heat_shape_name(p->shape), h->place, h->course.start - start,
+                  h->start_sigma, h->energy, h->energy_sigma, energy, text, h->chi2_explained,
+                  u->chi2_before, u->heat[1].place, u->heat[1].chi2_explained, u->channel,
+                  u->coordinate, u->p);
     assert_true(u->found);
     assert_string_equal(h->place, p->place);
-    assert_close(h->start, start, 2.0 * STEP);
-    assert_close(h->start, start, 4.0 * h->start_sigma);
+    assert_true(h->behind[p->shape] < UM_MISSING_HEAT_RIVAL);
+    if (i > 2) assert_int_equal(h->course.shape, p->shape);
+    assert_close(h->course.start, start, 3.0 * h->start_sigma);
     assert_close(h->energy, energy, 0.2 * energy);
-    assert_close(h->energy, energy, 4.0 * h->energy_sigma);
-    assert_close(h->energy, h->power * (h->stop - h->start), 1e-9 * energy);
+    assert_close(h->energy, energy, 3.0 * h->energy_sigma);
+    assert_close(h->energy, h->power * um_missing_heat_course_energy(&h->course, h->stop),
+                 1e-9 * energy);
     assert_close(u->chi2_after, u->chi2_before - h->chi2_explained, 1e-9);
-    for (size_t k = 1; k < u->nheat; k++)
-      assert_true(u->heat[k].chi2_explained <= u->heat[k - 1].chi2_explained);
-    if (i < 2) check_history(h, p, start); /* +z turns out of sight with the spin */
+    check_history(h, p, start);
     um_missing_heat_unexplained_destroy(context, &u);
   }
 }
@@ -218,12 +268,12 @@ static void test_pulses(void **state)
 static void test_no_pulse(void **state)
 {
   (void)state;
-  put_pulse(NULL, 1.0, 51, 1.0);
+  put_hidden(NULL, 1.0, 51, 1.0);
   struct um_missing_heat_unexplained *u = look(false);
   assert_int_equal(u->nheat, 8);
   assert_false(u->found);
   um_missing_heat_unexplained_destroy(context, &u);
-  put_pulse(NULL, 1.0, 52, 1.1);
+  put_hidden(NULL, 1.0, 52, 1.1);
   u = look(false);
   print_message("a tenth brighter: %s, %s; heat explains %.4g of %.4g\n", u->channel, u->coordinate,
                 u->heat[0].chi2_explained, u->chi2_before);
@@ -270,7 +320,7 @@ static void test_memory(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_columns), cmocka_unit_test(test_pulses),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_columns), cmocka_unit_test(test_shapes),
                                      cmocka_unit_test(test_no_pulse),
                                      cmocka_unit_test(test_memory)};
   return cmocka_run_group_tests(tests, model_set_up, model_tear_down);
