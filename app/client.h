@@ -191,6 +191,8 @@ struct um_app_verb {
 };
 /* Ids of the options that it has in common with others. */
 const char *um_app_verb_common(const struct um_app_verb *verb);
+/* May its last argument come again? */
+bool um_app_verb_takes_more(const struct um_app_verb *verb);
 size_t um_app_verb_count(void);
 const struct um_app_verb *um_app_verb_at(size_t index);
 /* NULL when there is none. */

@@ -2,10 +2,10 @@
 #include <math.h>
 
 #include "app/app.h"
+#include "app/measured.h"
 #include "app/terminal.h"
 #include "evidence/comparison/report.h"
 #include "evidence/inversion/whole.h"
-#include "evidence/measurements/measurements.h"
 #include "orbit/time.h"
 
 #define CORRELATIONS_SHOWN 3
@@ -64,7 +64,7 @@ static void print_channel(const struct um_compare_comparison *c, size_t i)
 {
   const struct um_compare_channel_comparison *channel = &c->channel[i];
   const struct um_compare_channel *of = &c->run.plan->measurements->channel[channel->channel];
-  printf("%s %s [%s]", um_compare_quantity_name(of->quantity), of->of,
+  printf("%s %s [%s]", um_compare_quantity_name(of->quantity), of->label,
          um_compare_quantity_unit(of->quantity));
   if (channel->left_out > 0) printf(", %zu observations left out by their flag", channel->left_out);
   bool magnitude = um_compare_is_magnitude(of->quantity);
@@ -129,7 +129,7 @@ int um_app_compare(struct um_context *context, const struct um_app_options *opti
   struct um_core_folder *folder = NULL;
   struct um_model_options changes = um_app_model_options(options);
   char *out = NULL;
-  UM_CHECK(um_compare_measurements_read(context, options->positional[1], &measurements));
+  UM_CHECK(um_app_measured_read(context, options, &measurements));
   UM_CHECK(um_compare_whole_begin(context, options->positional[0], &changes, measurements, &whole));
   UM_CHECK(um_app_out_folder(context, options, whole.model->scenario->name, &out));
   UM_CHECK(um_core_folder_begin(context, out, options->force, &folder));

@@ -123,7 +123,7 @@ static void put_verb(FILE *file, const struct um_app_verb *verb)
   fputs("\"; kinds=(", file);
   while (um_app_argument_next(&list, name, &optional))
     fprintf(file, " '%s'", offer(um_app_argument_offers(name)));
-  fputs(" ) ;;\n", file);
+  fputs(um_app_verb_takes_more(verb) ? " ); more=yes ;;\n" : " ) ;;\n", file);
 }
 
 static const char helpers[] =
@@ -144,7 +144,7 @@ static const char helpers[] =
 
 static const char body[] =
     "  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
-    "  local verb=\"${COMP_WORDS[1]}\" options=\"\" first=\"\" place=0 i\n"
+    "  local verb=\"${COMP_WORDS[1]}\" options=\"\" first=\"\" more=\"\" place=0 i\n"
     "  local -a kinds=()\n"
     "  COMPREPLY=()\n"
     "  # --option=value comes as three words\n"
@@ -161,6 +161,7 @@ static const char tail[] =
     "      *) [ $place -gt 0 ] || first=\"${COMP_WORDS[i]}\"; place=$((place + 1)) ;;\n"
     "    esac\n"
     "  done\n"
+    "  if [ -n \"$more\" ] && [ $place -ge ${#kinds[@]} ]; then place=$((${#kinds[@]} - 1)); fi\n"
     "  if [ $place -lt ${#kinds[@]} ]; then eval \"${kinds[@]:$place:1}\"; fi\n"
     "}\n";
 

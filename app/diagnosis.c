@@ -2,13 +2,13 @@
 #include "app/diagnosis.h"
 
 #include "app/batch.h"
+#include "app/measured.h"
 #include "app/terminal.h"
 #include "base/batch/each.h"
 #include "base/core/digest.h"
 #include "base/core/file_snapshot.h"
 #include "evidence/diagnosis/report/write.h"
 #include "evidence/diagnosis/report/write_json.h"
-#include "evidence/measurements/measurements.h"
 #include "model/build/build.h"
 #include "study/identity.h"
 
@@ -54,7 +54,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
                                       const struct um_app_options *options,
                                       struct um_app_diagnosis *work)
 {
-  const struct um_diagnosis_request_texts texts = {
+  struct um_diagnosis_request_texts texts = {
       .nuisance = options->nuisance,
       .nnuisance = options->nnuisance,
       .exclude = options->exclude,
@@ -66,11 +66,12 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
   work->changes = um_app_model_options(options);
   UM_TRY(um_core_snapshot_begin(context));
   work->holds_files = true;
-  UM_TRY(um_compare_measurements_read(context, options->positional[1], &work->measurements));
+  UM_TRY(um_app_measured_read(context, options, &work->measurements));
   UM_TRY(open_folders(context, options, work));
   UM_TRY(um_sensitivity_forward_create(context, options->positional[0], &work->changes,
                                        work->measurements, UM_VARIANT_TIGHT, &work->forward));
   work->forward->records = work->batch;
+  texts.measurements = work->measurements;
   return um_diagnosis_request_make(context, work->forward->model, &texts, &work->request);
 }
 

@@ -35,7 +35,8 @@ static enum um_status print_channels(struct um_context *context, const struct um
     UM_TRY(um_diagnosis_report_channel_metrics(context, d, c, before, dof_before, &m));
     if (m.count == 0) continue;
     char name[256];
-    snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(channel->quantity), channel->of);
+    snprintf(name, sizeof name, "%s %s", um_compare_quantity_name(channel->quantity),
+             channel->label);
     printf("  %-36s %12zu %11.4g", name, m.count, m.rms);
     if (after != NULL) {
       UM_TRY(um_diagnosis_report_channel_metrics(context, d, c, after, dof_after, &n));

@@ -346,23 +346,15 @@ enum um_app_offers um_app_argument_offers(const char *name)
   static const struct {
     const char *name;
     enum um_app_offers offers;
-  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS},
-               {"STUDY", UM_APP_STUDIES},
-               {"MEASURED", UM_APP_TABLES},
-               {"TABLE", UM_APP_FILES},
-               {"SCENARIO|PICTURE.nc", UM_APP_VIEWS},
-               {"FRAME...", UM_APP_FILES},
-               {"RESULTS...", UM_APP_RESULTS},
-               {"RECORD", UM_APP_REPLAYS},
-               {"STARS", UM_APP_TABLES},
-               {"EFFECT", UM_APP_EFFECTS},
-               {"MATERIAL", UM_APP_MATERIALS},
-               {"SENSOR", UM_APP_SENSORS},
-               {"PATH", UM_APP_SECTIONS},
-               {"SHELL", UM_APP_SHELLS},
-               {"COMMAND", UM_APP_VERBS},
-               {"WHAT", UM_APP_THINGS},
-               {"ITEM", UM_APP_ONE}};
+  } kinds[] = {{"SCENARIO", UM_APP_SCENARIOS}, {"STUDY", UM_APP_STUDIES},
+               {"MEASURED", UM_APP_TABLES},    {"MEASURED...", UM_APP_TABLES},
+               {"TABLE", UM_APP_FILES},        {"SCENARIO|PICTURE.nc", UM_APP_VIEWS},
+               {"FRAME...", UM_APP_FILES},     {"RESULTS...", UM_APP_RESULTS},
+               {"RECORD", UM_APP_REPLAYS},     {"STARS", UM_APP_TABLES},
+               {"EFFECT", UM_APP_EFFECTS},     {"MATERIAL", UM_APP_MATERIALS},
+               {"SENSOR", UM_APP_SENSORS},     {"PATH", UM_APP_SECTIONS},
+               {"SHELL", UM_APP_SHELLS},       {"COMMAND", UM_APP_VERBS},
+               {"WHAT", UM_APP_THINGS},        {"ITEM", UM_APP_ONE}};
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
     if (strcmp(kinds[i].name, name) == 0) return kinds[i].offers;
   return UM_APP_NOTHING;

@@ -226,13 +226,6 @@ static int arguments_most(const struct um_app_verb *verb)
   return n;
 }
 
-/* May the last argument come again? */
-static bool takes_more(const struct um_app_verb *verb)
-{
-  size_t n = strlen(verb->arguments);
-  return n > 3 && strcmp(verb->arguments + n - 3, "...") == 0;
-}
-
 int um_app_options_parse(struct um_context *context, const struct um_app_verb *verb, int argc,
                          char **argv, struct um_app_options *o)
 {
@@ -250,7 +243,7 @@ int um_app_options_parse(struct um_context *context, const struct um_app_verb *v
     if (before && literal) o->literal = first;
     if (id == -1 && optind >= argc) break;
     if (id == -1) { /* options may follow it */
-      if (o->npositional == most && takes_more(verb)) {
+      if (o->npositional == most && um_app_verb_takes_more(verb)) {
         o->more[o->nmore++] = argv[optind++];
         continue;
       }

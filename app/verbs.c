@@ -108,11 +108,13 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra calibrate scenarios/flying-laptop stars.csv measured.csv --sensor ufo -o "
                  "calibrated.csv\n",
      .run = um_app_calibrate, .group = UM_APP_OBSERVE},
-    {"compare", "SCENARIO MEASURED", "a scenario beside measurements: how far off, and when",
+    {"compare", "SCENARIO MEASURED...", "a scenario beside measurements: how far off, and when",
      .accepts = "out " CHANGES " " RESULTS,
-     .about = "Metrics per channel and segment, residuals and what they correlate with, the worst "
-              "intervals and pictures. "
-              "docs/files.md lists the columns of the measurement file.",
+     .about =
+         "Metrics per channel and segment, residuals and what they correlate with, the worst "
+         "intervals and pictures. "
+         "docs/files.md lists the columns of the measurement file. Several files are sets of one "
+         "satellite.",
      .examples = "umbra compare scenarios/hidden-effect/dawn measured.csv\n", .run = um_app_compare,
      .group = UM_APP_COMPARE},
     {"study", "STUDY", "many points of a scenario: parameters, designs, surrogates",
@@ -135,16 +137,19 @@ static const struct um_app_verb verbs[] = {
                  "umbra sensitivity scenarios/hidden-effect/dawn --only emittance --what-if "
                  "emittance:mli,factor=1.1\n",
      .run = um_app_sensitivity, .group = UM_APP_EXPLORE},
-    {"diagnose", "SCENARIO MEASURED", "which effect the scenario lacks, or that it cannot be told",
+    {"diagnose", "SCENARIO MEASURED...",
+     "which effect the scenario lacks, or that it cannot be told",
      .accepts = "out " CHANGES " only exclude nuisance level steps resume " RESULTS,
      .about =
          "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
-         "be and what to measure next. What is computed is kept on record beside the results until "
+         "be and what to measure next. Several files are sets of one satellite: what is done to "
+         "measurements is a matter of each, as zero_point:vis@night1. What is computed is kept on "
+         "record beside the results until "
          "these are written: after an end of any kind --resume goes on.",
      .examples = "umbra diagnose scenarios/hidden-effect/dawn measured.csv --nuisance "
                  "zero_point:lwir,sigma=0.05\n",
      .run = um_app_diagnose, .group = UM_APP_COMPARE},
-    {"fit", "SCENARIO MEASURED", "parameters of chosen effects, fitted to measurements",
+    {"fit", "SCENARIO MEASURED...", "parameters of chosen effects, fitted to measurements",
      .needs = "add", .accepts = "out " CHANGES " nuisance resume " RESULTS,
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
@@ -263,6 +268,12 @@ static const struct um_app_verb verbs[] = {
     {"help", "[COMMAND]", "this list, or a command's options", .examples = "umbra help run\n",
      .run = um_app_help_command, .group = UM_APP_LOOK_UP, .unrecorded = true},
 };
+
+bool um_app_verb_takes_more(const struct um_app_verb *verb)
+{
+  size_t n = strlen(verb->arguments);
+  return n > 3 && strcmp(verb->arguments + n - 3, "...") == 0;
+}
 
 const char *um_app_verb_common(const struct um_app_verb *verb)
 {

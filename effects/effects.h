@@ -72,6 +72,17 @@ uint32_t um_effects_reach(const struct um_effect *effect);
 /* Do all of its hooks act on light that has left the satellite: on the air before the observer, on
  * what is measured? Does not fail. */
 bool um_effects_act_behind(const struct um_effect *effect);
+/* Does it act on single observations alone, on their time, exposure or reading, and is no switch?
+ * Then it may be that of one set of measurements: its target ends with "@" and the set's name,
+ * "vis@night1", of all that it acts on "all@night1". Does not fail. */
+bool um_effects_may_be_of_a_set(const struct um_effect *effect);
+#define UM_EFFECTS_ALL "all"
+/* Name of the set in such a target, behind its last "@"; NULL: there is none, or it may not be of a
+ * set. Borrowed from target. Does not fail. */
+const char *um_effects_set_of(const struct um_effect *effect, const char *target);
+/* How many characters of target say on what it acts: those before that "@"; 0: everything. Does not
+ * fail. */
+size_t um_effects_place_of(const struct um_effect *effect, const char *target);
 /* Does a satellite of the same temperatures send the same light with it? */
 bool um_effects_light_alike(const struct um_effect *effect);
 

@@ -35,3 +35,28 @@ bool um_effects_light_alike(const struct um_effect *effect)
 {
   return (reach_before(effect) & ~(uint32_t)UM_REACH_THERMAL) == 0;
 }
+
+bool um_effects_may_be_of_a_set(const struct um_effect *effect)
+{
+  static const struct um_effect_hooks none;
+  struct um_effect_hooks rest = effect->hooks;
+  rest.time = NULL;
+  rest.exposure = NULL;
+  rest.observation = NULL;
+  return memcmp(&rest, &none, sizeof rest) == 0 && !effect->on_by_default;
+}
+
+const char *um_effects_set_of(const struct um_effect *effect, const char *target)
+{
+  const char *at = target != NULL ? strrchr(target, '@') : NULL;
+  return at != NULL && um_effects_may_be_of_a_set(effect) ? at + 1 : NULL;
+}
+
+size_t um_effects_place_of(const struct um_effect *effect, const char *target)
+{
+  const char *set = um_effects_set_of(effect, target);
+  if (set == NULL) return target != NULL ? strlen(target) : 0;
+  size_t n = (size_t)(set - target) - 1;
+  bool all = n == strlen(UM_EFFECTS_ALL) && strncmp(target, UM_EFFECTS_ALL, n) == 0;
+  return all ? 0 : n;
+}

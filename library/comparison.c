@@ -47,7 +47,7 @@ static struct umbra_channel channel_of(const struct um_compare_comparison *c, si
   const struct um_compare_channel *of = &c->run.plan->measurements->channel[from->channel];
   const struct um_compare_metrics *m = &from->all;
   return (struct umbra_channel){.quantity = um_compare_quantity_name(of->quantity),
-                                .of = of->of,
+                                .of = of->label,
                                 .unit = um_compare_residual_unit(of->quantity),
                                 .count = from->count,
                                 .left_out = from->left_out,

@@ -56,7 +56,9 @@ static enum um_status begin(struct umbra *umbra, const struct umbra_scenario *sc
   work->options = um_library_source_options(&work->source, umbra);
   UM_TRY(um_sensitivity_forward_create(context, work->source.path, &work->options,
                                        measurements->set, UM_VARIANT_TIGHT, &work->forward));
-  return um_diagnosis_request_make(context, work->forward->model, texts, &work->request);
+  struct um_diagnosis_request_texts of = *texts;
+  of.measurements = measurements->set;
+  return um_diagnosis_request_make(context, work->forward->model, &of, &work->request);
 }
 
 static enum um_status show(struct um_context *context, const struct um_library_diagnosis *work,

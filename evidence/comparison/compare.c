@@ -66,7 +66,7 @@ done:
   if (status != UM_OK)
     um_core_message_prefix(context, "%s: %s '%s'", c->run.plan->measurements->path,
                            um_compare_quantity_name(quantity),
-                           c->run.plan->measurements->channel[channel->channel].of);
+                           c->run.plan->measurements->channel[channel->channel].label);
   UM_FREE(context, g.residual, g.light);
   return status;
 }

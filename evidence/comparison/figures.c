@@ -44,7 +44,7 @@ void um_compare_json_metrics(FILE *file, const char *before, const char *name,
 void um_compare_json_channel(FILE *file, const struct um_compare_channel *channel)
 {
   fprintf(file, "\"quantity\": \"%s\", \"of\": ", um_compare_quantity_name(channel->quantity));
-  um_core_json_string(file, channel->of);
+  um_core_json_string(file, channel->label);
   fprintf(file, ", \"unit\": \"%s\", \"residual_unit\": \"%s\"",
           um_compare_quantity_unit(channel->quantity), um_compare_residual_unit(channel->quantity));
 }
@@ -57,14 +57,14 @@ void um_compare_channel_words(const struct um_compare_channel *channel, char *ou
     if (*c == '_') *c = ' ';
   if (channel->quantity == UM_QUANTITY_MAGNITUDE_AB) strcpy(quantity, "AB magnitude");
   if (channel->quantity == UM_QUANTITY_MAGNITUDE_VEGA) strcpy(quantity, "Vega magnitude");
-  snprintf(out, size, "%s %s", quantity, channel->of);
+  snprintf(out, size, "%s %s", quantity, channel->label);
 }
 
 enum um_status um_compare_channel_file(struct um_context *context,
                                        const struct um_compare_channel *channel, char **out)
 {
   UM_TRY(um_core_asprintf(context, out, "%s_%s", um_compare_quantity_name(channel->quantity),
-                          channel->of));
+                          channel->label));
   for (char *c = *out; *c != '\0'; c++)
     if (strchr("/\\:'\" ", *c) != NULL) *c = '_';
   return UM_OK;

@@ -18,7 +18,7 @@
 
 struct wanted {
   double t, exposure; /* [s]; NaN: not said */
-  size_t row;
+  size_t row, set;
   struct um_model_point point; /* of a scenario of points, else 0 */
 };
 
@@ -33,12 +33,13 @@ static int compare_points(const struct um_model_point *x, const struct um_model_
   return by != 0 ? by : compare_numbers(x->height, y->height);
 }
 
-/* In order of time; at one time, rows of one place stand together. */
+/* In order of time; at one time, rows of one place and set stand together. */
 static int compare_wanted(const void *a, const void *b)
 {
   const struct wanted *x = a, *y = b;
   int by = compare_numbers(x->t, y->t);
   if (by == 0) by = compare_points(&x->point, &y->point);
+  if (by == 0) by = (x->set > y->set) - (x->set < y->set);
   return by != 0 ? by : x->row < y->row ? -1 : x->row > y->row;
 }
 
@@ -53,7 +54,9 @@ static enum um_status point_of(struct um_context *context, const struct um_model
                                  .elevation = r->elevation};
   const char *name = r->station == SIZE_MAX ? "" : m->station[r->station];
   enum um_status status = um_model_station_find(context, model, name, &out->station);
-  if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'station'", m->path, r->line);
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s:%d: column 'station'", um_compare_row_path(m, row),
+                           r->line);
   return status;
 }
 
@@ -83,10 +86,12 @@ static enum um_status check_time(struct um_context *context, const struct um_mod
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s:%d: column '%s': %s is outside the scenario; accepted: %s to %s "
                         "(time.start_utc, time.stop_utc)",
-                        m->path, m->row[row].line, m->time_column, text, start, stop);
+                        um_compare_row_path(m, row), m->row[row].line,
+                        um_compare_row_time_column(m, row), text, start, stop);
   }
   enum um_status status = sample_of(context, model, wanted);
-  if (status != UM_OK) um_core_message_prefix(context, "%s:%d", m->path, m->row[row].line);
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s:%d", um_compare_row_path(m, row), m->row[row].line);
   return status;
 }
 
@@ -105,7 +110,8 @@ static enum um_status add_observation(struct um_context *context, const struct u
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s:%d: column 'exposure_s': %g s, another row of this time has %g s; "
                           "accepted: one exposure at a time",
-                          m->path, m->row[wanted[i].row].line, wanted[i].exposure, exposure);
+                          um_compare_row_path(m, wanted[i].row), m->row[wanted[i].row].line,
+                          wanted[i].exposure, exposure);
     exposure = wanted[i].exposure;
   }
   if (isnan(exposure)) exposure = model->scenario->time->exposure_s;
@@ -115,9 +121,11 @@ static enum um_status add_observation(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s:%d: column 'exposure_s': the exposure of %g s begins before the one "
                         "before it ends; accepted: exposures that do not overlap",
-                        m->path, m->row[wanted[0].row].line, exposure);
+                        um_compare_row_path(m, wanted[0].row), m->row[wanted[0].row].line,
+                        exposure);
   plan->time[k] = wanted[0].t;
   plan->exposure[k] = exposure;
+  plan->set[k] = m->file[wanted[0].set].name;
   if (model->points) plan->point[k] = wanted[0].point;
   for (size_t i = 0; i < n; i++) plan->observation[wanted[i].row] = k;
   plan->ntime++;
@@ -129,11 +137,13 @@ static enum um_status merge(struct um_context *context, const struct um_model *m
 {
   UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
+  UM_TRY(um_core_allocate(context, n, sizeof *plan->set, (void *)&plan->set));
   if (model->points) UM_TRY(um_core_allocate(context, n, sizeof *plan->point, &plan->point));
   UM_TRY(um_core_sort(context, wanted, n, sizeof *wanted, compare_wanted));
   for (size_t i = 0, end; i < n; i = end) {
     for (end = i + 1; end < n && wanted[end].t - wanted[i].t <= SAME_TIME &&
-                      compare_points(&wanted[end].point, &wanted[i].point) == 0;)
+                      compare_points(&wanted[end].point, &wanted[i].point) == 0 &&
+                      wanted[end].set == wanted[i].set;)
       end++;
     UM_TRY(add_observation(context, model, wanted + i, end - i, plan));
   }
@@ -151,7 +161,8 @@ static enum um_status plan_times(struct um_context *context, const struct um_mod
   for (size_t i = 0; i < m->count; i++) {
     plan->observation[i] = UM_COMPARE_NOWHERE;
     if (m->row[i].flag != 0) continue;
-    wanted[n] = (struct wanted){.t = m->row[i].t_tai, .exposure = m->row[i].exposure, .row = i};
+    wanted[n] = (struct wanted){
+        .t = m->row[i].t_tai, .exposure = m->row[i].exposure, .row = i, .set = m->row[i].set};
     if (model->points) UM_CHECK(point_of(context, model, m, i, &wanted[n].point));
     n++;
   }
@@ -186,6 +197,19 @@ static enum um_status check_geometry(struct um_context *context, const struct um
   return UM_OK;
 }
 
+/* A value for a set that is not there does nothing, and may be a misspelling. */
+static void warn_of_sets(struct um_context *context, const struct um_model *model,
+                         const struct um_compare_measurements *m)
+{
+  for (size_t i = 0; i < model->neffect; i++) {
+    const struct um_model_effect *e = &model->effect[i];
+    if (!e->off && e->set != NULL && um_compare_set_find(m, e->set) == UM_COMPARE_NOWHERE)
+      um_core_log(context, UM_LOG_WARNING,
+                  "effect %s:%s does nothing: none of the measurements is a set '%s'",
+                  e->effect->name, e->target, e->set);
+  }
+}
+
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
                                       struct um_compare_plan **out)
@@ -196,6 +220,7 @@ enum um_status um_compare_plan_create(struct um_context *context, const struct u
   UM_TRY(um_core_allocate(context, 1, sizeof *plan, &plan));
   plan->measurements = measurements;
   UM_CHECK(check_geometry(context, model, measurements));
+  warn_of_sets(context, model, measurements);
   UM_CHECK(um_core_allocate(context, measurements->nchannel, sizeof *plan->source, &plan->source));
   UM_CHECK(um_core_allocate(context, measurements->count, sizeof *plan->observation,
                             &plan->observation));
@@ -213,14 +238,17 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
 {
   if (plan == NULL || *plan == NULL) return;
   UM_FREE(context, (*plan)->time, (*plan)->exposure, (*plan)->point, (*plan)->observation,
-          (*plan)->source, *plan);
+          (*plan)->source, (void *)(*plan)->set, *plan);
   *plan = NULL;
 }
 
 struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *plan)
 {
-  return (struct um_model_instants){
-      .time = plan->time, .exposure = plan->exposure, .point = plan->point, .count = plan->ntime};
+  return (struct um_model_instants){.time = plan->time,
+                                    .exposure = plan->exposure,
+                                    .set = plan->set,
+                                    .point = plan->point,
+                                    .count = plan->ntime};
 }
 
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,
@@ -245,11 +273,12 @@ static enum um_status refuse_hidden(struct um_context *context,
                         "%s:%d: column 'time_utc': the Earth stands between satellite and "
                         "observer; accepted: rows in which it does not, or a flag that leaves the "
                         "row out",
-                        m->path, m->row[row].line);
+                        um_compare_row_path(m, row), m->row[row].line);
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: column '%s': the satellite is below the horizon (elevation "
                       "%.2f deg); accepted: rows above it, or a flag that leaves the row out",
-                      m->path, m->row[row].line, m->time_column, lowest / UM_DEG);
+                      um_compare_row_path(m, row), m->row[row].line,
+                      um_compare_row_time_column(m, row), lowest / UM_DEG);
 }
 
 /* Temperature or area of all thermal bands together; NaN where no grey body fits. */
@@ -288,7 +317,8 @@ static enum um_status refuse(struct um_context *context, const struct um_compare
                       "%s:%d: column 'quantity': %s: no grey body fits the model's light of this "
                       "time; accepted: light above 0 in the thermal bands, or a flag that leaves "
                       "the row out",
-                      m->path, m->row[row].line, um_compare_quantity_name(quantity));
+                      um_compare_row_path(m, row), m->row[row].line,
+                      um_compare_quantity_name(quantity));
 }
 
 enum um_status um_compare_predict(struct um_context *context, const struct um_compare_plan *plan,

@@ -15,19 +15,20 @@
 struct um_compare_plan {
   const struct um_compare_measurements *measurements; /* borrowed */
   size_t ntime;
-  double *time;     /* [ntime] observation times, t_tai [s]: strictly ascending, of points not
-                       descending */
+  double *time;     /* [ntime] observation times, t_tai [s]: not descending, strictly ascending
+                       within a set but for points */
   double *exposure; /* [ntime] [s] */
+  const char **set; /* [ntime] name of the set of measurements; borrowed from them */
   struct um_model_point *point; /* [ntime] of a scenario with orbit.points; NULL with an orbit */
   size_t *observation; /* [count] of each row; UM_COMPARE_NOWHERE for a row that is left out */
   size_t *source;      /* [nchannel] band or place; UM_COMPARE_NOWHERE: no row of it is used */
 };
 
 /* Find the source of every channel and merge the times of all rows with flag 0: times within half a
- * microsecond are one observation. An empty exposure is that of other rows of the time, else the
- * scenario's. Temperatures are of a
- * place: its full name ("bus.+x", "bus.interior", "material:cfrp"), or the part of it behind the
- * part's name ("+x", "interior", "front") where only one place has it.
+ * microsecond are one observation, of one set. An empty exposure is that of other rows of the time,
+ * else the scenario's. Temperatures are of a place: its full name ("bus.+x", "bus.interior",
+ * "material:cfrp"), or the part of it behind the part's name ("+x", "interior", "front") where only
+ * one place has it.
  *
  * With orbit.points every row says where the satellite is; rows are one observation where time,
  * station and geometry are the same, so that satellites seen at one time stay apart, and exposures

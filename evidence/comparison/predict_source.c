@@ -63,7 +63,7 @@ enum um_status um_compare_source_find(struct um_context *context, const struct u
     return um_core_fail(context, UM_ERR_INPUT,
                         "%s:%d: column 'quantity': %s wants an observer, which the scenario has "
                         "not; accepted: temperature",
-                        m->path, line, um_compare_quantity_name(quantity));
+                        um_compare_row_path(m, row), line, um_compare_quantity_name(quantity));
   if (quantity == UM_QUANTITY_TEMPERATURE && model->points)
     return um_core_fail(
         context, UM_ERR_INPUT,
@@ -71,13 +71,14 @@ enum um_status um_compare_source_find(struct um_context *context, const struct u
         "orbit, orbit.points has none; accepted: band_irradiance, "
         "radiant_intensity, magnitude_ab, magnitude_vega, count_rate, characteristic_temperature, "
         "infrared_cross_section",
-        m->path, line);
+        um_compare_row_path(m, row), line);
   enum um_status status = find(context, model, quantity, of, out);
-  if (status != UM_OK) um_core_message_prefix(context, "%s:%d: column 'of'", m->path, line);
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s:%d: column 'of'", um_compare_row_path(m, row), line);
   if (status != UM_OK || quantity != UM_QUANTITY_MAGNITUDE_VEGA || isfinite(model->vega_ab[*out]))
     return status;
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: column 'of': band '%s' leaves 0.12 to 40 um, where Vega is known; "
                       "accepted: magnitude_ab",
-                      m->path, line, of);
+                      um_compare_row_path(m, row), line, of);
 }

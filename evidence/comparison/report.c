@@ -111,7 +111,7 @@ static void csv_metrics(FILE *file, const struct um_compare_channel *channel, co
   struct um_compare_figure all[UM_COMPARE_FIGURES];
   um_compare_figures(m, all);
   fprintf(file, "%s,", um_compare_quantity_name(channel->quantity));
-  um_core_csv_put(file, channel->of, "");
+  um_core_csv_put(file, channel->label, "");
   fprintf(file, ",%s,%s,%zu", segment, um_compare_residual_unit(channel->quantity), m->count);
   for (size_t i = 0; i < UM_COMPARE_FIGURES; i++) um_core_csv_put_number(file, all[i].value);
   fputc('\n', file);
@@ -142,7 +142,7 @@ static void residual_row(const struct um_compare_comparison *c, size_t row, FILE
   char time[40];
   um_compare_time_text(r->t_tai, time);
   fprintf(file, "%s,%s,", time, um_compare_quantity_name(m->channel[r->channel].quantity));
-  um_core_csv_put(file, m->channel[r->channel].of, "");
+  um_core_csv_put(file, m->channel[r->channel].label, "");
   um_core_csv_put_number(file, r->value);
   um_core_csv_put_number(file, c->model[row]);
   um_core_csv_put_number(file, r->sigma);

@@ -41,11 +41,13 @@ enum um_status um_diagnosis_block_wanted(struct um_context *context,
 enum um_status um_diagnosis_nuisance_check(struct um_context *context,
                                            const struct um_diagnosis_nuisance_effect *nuisance)
 {
-  if (nuisance->per == NULL || strcmp(nuisance->per, "set") == 0) return UM_OK;
+  if (nuisance->per == NULL || strcmp(nuisance->per, "set") == 0 ||
+      strcmp(nuisance->per, "all") == 0)
+    return UM_OK;
   return um_core_fail(
       context, UM_ERR_INPUT,
       "nuisance '%s' per '%.40s': an effect that is free at each observation fits any "
-      "measurement; accepted: per set",
+      "measurement; accepted: per set, per all",
       nuisance->effect->name, nuisance->per);
 }
 

@@ -9,7 +9,8 @@ struct um_diagnosis_nuisance_effect {
   const struct um_effect *effect;
   const char *target;
   double sigma;    /* prior width of its parameters about the scenario's values; INFINITY: free */
-  const char *per; /* NULL or "set"; "observation" is refused: it fits anything */
+  const char *per; /* NULL, "set" or "all", which the request has made of it; "observation" is
+                      refused: it fits anything */
 };
 
 struct um_diagnosis_options {

@@ -2,6 +2,7 @@
 #include "evidence/diagnosis/request.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/core/csv.h"
@@ -10,6 +11,12 @@
 #include "evidence/diagnosis/steps_impl.h"
 #include "model/build/effect_files.h"
 #include "model/build/effects.h"
+
+/* Of whom. */
+struct asked {
+  const struct um_model *model;
+  const struct um_compare_measurements *measurements;
+};
 
 static enum um_status find_effect(struct um_context *context, const struct um_model *model,
                                   const char *name, const struct um_effect **out)
@@ -37,30 +44,21 @@ static enum um_status own_sigma(struct um_context *context, const struct um_effe
   return UM_OK;
 }
 
-static enum um_status add_nuisance(struct um_context *context, const struct um_model *model,
-                                   struct um_diagnosis_request *r, const char *name,
-                                   const char *target, double sigma, const char *per)
+/* A later nuisance of the same effect and target takes the place of an earlier one. */
+static enum um_status put_nuisance(struct um_context *context, struct um_diagnosis_request *r,
+                                   const struct um_diagnosis_nuisance_effect *nuisance)
 {
-  const struct um_effect *effect;
-  UM_TRY(find_effect(context, model, name, &effect));
-  UM_TRY(um_model_check_target(context, model, effect, target));
-  if (isnan(sigma))
-    UM_TRY(own_sigma(context, effect, &sigma));
-  else if (effect->nparameter == 0 || effect->on_by_default)
-    UM_TRY(own_sigma(context, effect, &sigma)); /* says why not */
   size_t i = 0;
-  while (i < r->nnuisance &&
-         !(r->nuisance[i].effect == effect && um_core_words_same(r->nuisance[i].target, target)))
+  while (i < r->nnuisance && !(r->nuisance[i].effect == nuisance->effect &&
+                               um_core_words_same(r->nuisance[i].target, nuisance->target)))
     i++;
   if (i == r->nnuisance) {
     UM_TRY(um_core_reallocate(context, i + 1, sizeof *r->nuisance, (void **)&r->nuisance));
     r->nnuisance++;
   }
-  r->nuisance[i] = (struct um_diagnosis_nuisance_effect){effect, target, sigma, per};
-  return um_diagnosis_nuisance_check(context, &r->nuisance[i]); /* before anything is computed */
+  r->nuisance[i] = *nuisance;
+  return UM_OK;
 }
-
-/* ---- texts of the command line ---- */
 
 /* Copy a text; the request owns the copy. */
 static enum um_status keep(struct um_context *context, struct um_diagnosis_request *r,
@@ -71,6 +69,74 @@ static enum um_status keep(struct um_context *context, struct um_diagnosis_reque
   r->text[r->ntext++] = *out;
   return UM_OK;
 }
+
+/* The same nuisance in each set, a value of its own: "vis@night1", "vis@night2". */
+static enum um_status put_in_sets(struct um_context *context, struct um_diagnosis_request *r,
+                                  const struct um_compare_measurements *m,
+                                  const struct um_diagnosis_nuisance_effect *nuisance)
+{
+  struct um_diagnosis_nuisance_effect one = *nuisance;
+  char text[512], *target;
+  for (size_t i = 0; i < m->nfile; i++) {
+    snprintf(text, sizeof text, "%s@%s",
+             nuisance->target != NULL ? nuisance->target : UM_EFFECTS_ALL, m->file[i].name);
+    UM_TRY(keep(context, r, text, &target));
+    one.target = target;
+    UM_TRY(put_nuisance(context, r, &one));
+  }
+  return UM_OK;
+}
+
+/* A target that names a set names one that is there. */
+static enum um_status check_set(struct um_context *context, const struct um_compare_measurements *m,
+                                const struct um_effect *effect, const char *target)
+{
+  const char *set = um_effects_set_of(effect, target);
+  char accepted[320] = "", hint[UM_CORE_WORDS_HINT];
+  struct um_core_words_guess guess = {.written = set};
+  if (set == NULL || m == NULL || um_compare_set_find(m, set) != UM_COMPARE_NOWHERE) return UM_OK;
+  for (size_t i = 0; i < m->nfile; i++) {
+    um_core_words_append(accepted, sizeof accepted, m->file[i].name);
+    um_core_words_consider(&guess, m->file[i].name);
+  }
+  return um_core_fail(context, UM_ERR_INPUT, "no set is called '%.60s'%s; accepted: %s", set,
+                      um_core_words_hint(&guess, hint), accepted);
+}
+
+static enum um_status check_target(struct um_context *context, const struct asked *asked,
+                                   const struct um_effect *effect, const char *target)
+{
+  UM_TRY(um_model_check_target(context, asked->model, effect, target));
+  return check_set(context, asked->measurements, effect, target);
+}
+
+/* One value for all sets or, where the effect acts on what is measured, one in each. */
+static enum um_status add_nuisance(struct um_context *context, const struct asked *asked,
+                                   struct um_diagnosis_request *r, const char *name,
+                                   const char *target, double sigma, const char *per)
+{
+  const struct um_effect *effect;
+  UM_TRY(find_effect(context, asked->model, name, &effect));
+  UM_TRY(check_target(context, asked, effect, target));
+  if (isnan(sigma))
+    UM_TRY(own_sigma(context, effect, &sigma));
+  else if (effect->nparameter == 0 || effect->on_by_default)
+    UM_TRY(own_sigma(context, effect, &sigma)); /* says why not */
+  const struct um_diagnosis_nuisance_effect nuisance = {effect, target, sigma, per};
+  UM_TRY(um_diagnosis_nuisance_check(context, &nuisance)); /* before anything is computed */
+  bool several = asked->measurements != NULL && asked->measurements->nfile > 1,
+       own = um_effects_may_be_of_a_set(effect);
+  if (several && per != NULL && strcmp(per, "set") == 0 && !own)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "'%s' acts on the satellite, which is one in all sets; accepted: per all",
+                        effect->name);
+  bool apart = several && own && um_effects_set_of(effect, target) == NULL &&
+               !(per != NULL && strcmp(per, "all") == 0);
+  return apart ? put_in_sets(context, r, asked->measurements, &nuisance)
+               : put_nuisance(context, r, &nuisance);
+}
+
+/* ---- texts of the command line ---- */
 
 /* Cut "effect[:target][,rest]" in place; target NULL: none; rest "" at the end. */
 static void cut(char *text, char **target, char **rest)
@@ -104,7 +170,7 @@ static enum um_status read_sigma(struct um_context *context, const char *text, d
                       text);
 }
 
-static enum um_status take_nuisance(struct um_context *context, const struct um_model *model,
+static enum um_status take_nuisance(struct um_context *context, const struct asked *asked,
                                     struct um_diagnosis_request *r, const char *typed)
 {
   char *text, *target, *rest, *name, *value;
@@ -122,7 +188,7 @@ static enum um_status take_nuisance(struct um_context *context, const struct um_
       return um_core_fail(context, UM_ERR_INPUT, "'%.60s' is not known; accepted: sigma, per",
                           name);
   }
-  return add_nuisance(context, model, r, text, target, sigma, per);
+  return add_nuisance(context, asked, r, text, target, sigma, per);
 }
 
 static enum um_status set_start(struct um_context *context, struct um_model_addition *a,
@@ -138,7 +204,7 @@ static enum um_status set_start(struct um_context *context, struct um_model_addi
                       parameter->minimum, parameter->maximum, parameter->unit);
 }
 
-static enum um_status take_wanted(struct um_context *context, const struct um_model *model,
+static enum um_status take_wanted(struct um_context *context, const struct asked *asked,
                                   struct um_diagnosis_request *r, const char *typed)
 {
   char *text, *target, *rest, *name, *value;
@@ -146,8 +212,8 @@ static enum um_status take_wanted(struct um_context *context, const struct um_mo
   struct um_effects_said said = {{NULL}};
   UM_TRY(keep(context, r, typed, &text));
   cut(text, &target, &rest);
-  UM_TRY(find_effect(context, model, text, &wanted.effect));
-  UM_TRY(um_model_check_target(context, model, wanted.effect, target));
+  UM_TRY(find_effect(context, asked->model, text, &wanted.effect));
+  UM_TRY(check_target(context, asked, wanted.effect, target));
   wanted.target = target;
   for (size_t p = 0; p < wanted.effect->nparameter; p++) wanted.value[p] = NAN;
   while (*rest != '\0') {
@@ -172,17 +238,17 @@ static enum um_status add_exclude(struct um_context *context, struct um_diagnosi
 
 /* ---- the scenario ---- */
 
-static enum um_status take_scenario(struct um_context *context, const struct um_model *model,
+static enum um_status take_scenario(struct um_context *context, const struct asked *asked,
                                     struct um_diagnosis_request *r)
 {
-  const struct um_scenario_measurements *from = model->scenario->measurements;
+  const struct um_scenario_measurements *from = asked->model->scenario->measurements;
   if (from == NULL) return UM_OK;
   const struct um_scenario_nuisance *nuisance = from->nuisance.items;
   for (size_t i = 0; i < from->nuisance.count; i++) {
     const struct um_scenario_nuisance *n = &nuisance[i];
     if (n->free && !isnan(n->sigma))
       return um_document_mark_fail(context, &n->at, "both sigma and free; accepted: one of them");
-    enum um_status status = add_nuisance(context, model, r, n->effect, n->target,
+    enum um_status status = add_nuisance(context, asked, r, n->effect, n->target,
                                          n->free ? INFINITY : n->sigma, n->per);
     if (status == UM_ERR_INPUT)
       um_core_message_prefix(context, "%s:%d: %s", n->at.file, n->at.line, n->at.path);
@@ -195,15 +261,15 @@ static enum um_status take_scenario(struct um_context *context, const struct um_
 
 /* ---- the whole ---- */
 
-typedef enum um_status take_text(struct um_context *context, const struct um_model *model,
+typedef enum um_status take_text(struct um_context *context, const struct asked *asked,
                                  struct um_diagnosis_request *r, const char *typed);
 
-static enum um_status take_texts(struct um_context *context, const struct um_model *model,
+static enum um_status take_texts(struct um_context *context, const struct asked *asked,
                                  struct um_diagnosis_request *r, const char *option,
                                  take_text *take, const char *const *text, size_t n)
 {
   for (size_t i = 0; i < n; i++) {
-    enum um_status status = take(context, model, r, text[i]);
+    enum um_status status = take(context, asked, r, text[i]);
     if (status == UM_ERR_INPUT) um_core_message_prefix(context, "%s %s", option, text[i]);
     UM_TRY(status);
   }
@@ -214,11 +280,12 @@ enum um_status um_diagnosis_request_make(struct um_context *context, const struc
                                          const struct um_diagnosis_request_texts *texts,
                                          struct um_diagnosis_request *out)
 {
+  const struct asked asked = {model, texts->measurements};
   *out = (struct um_diagnosis_request){0};
-  UM_TRY(take_scenario(context, model, out));
-  UM_TRY(take_texts(context, model, out, "--nuisance", take_nuisance, texts->nuisance,
+  UM_TRY(take_scenario(context, &asked, out));
+  UM_TRY(take_texts(context, &asked, out, "--nuisance", take_nuisance, texts->nuisance,
                     texts->nnuisance));
-  UM_TRY(take_texts(context, model, out, texts->option != NULL ? texts->option : "--add",
+  UM_TRY(take_texts(context, &asked, out, texts->option != NULL ? texts->option : "--add",
                     take_wanted, texts->wanted, texts->nwanted));
   for (size_t i = 0; i < texts->nexclude; i++) UM_TRY(add_exclude(context, out, texts->exclude[i]));
   return UM_OK;

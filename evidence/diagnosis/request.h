@@ -16,16 +16,19 @@ struct um_diagnosis_request {
   size_t ntext;
 };
 
-/* nuisance: [nnuisance] "effect[:target][,sigma=S][,per=set]"; without sigma the prior width of the
- * effect's parameters, sigma=free for none. A later one of the same effect and target takes the
- * place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters NAN.
- * exclude: [nexclude] "effect[:target]", copied behind the scenario's. UM_ERR_INPUT naming file and
- * line, or option and text: no such effect, a target that the effect cannot have or the model has
- * not, no such parameter, a number that is none or out of range. The caller releases, also after a
- * failure. */
+/* nuisance: [nnuisance] "effect[:target][@set][,sigma=S][,per=set|all]"; without sigma the prior
+ * width of the effect's parameters, sigma=free for none; of several sets a value in each where the
+ * effect may be of a set, unless it says per=all. A later one of the same effect and target takes
+ * the place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters
+ * NAN. exclude: [nexclude] "effect[:target]", copied behind the scenario's. UM_ERR_INPUT naming
+ * file and line, or option and text: no such effect, a target that the effect cannot have or the
+ * model has not, a set that the measurements have not, no such parameter, a number that is none or
+ * out of range. The caller releases, also after a failure. */
 struct um_diagnosis_request_texts {
   const char *const *nuisance, *const *exclude, *const *wanted;
   size_t nnuisance, nexclude, nwanted;
+  const struct um_compare_measurements
+      *measurements;  /* whose sets targets may name; NULL: of one set */
   const char *option; /* that `wanted` came by, for messages; NULL: --add */
 };
 enum um_status um_diagnosis_request_make(struct um_context *context, const struct um_model *model,

@@ -218,7 +218,7 @@ static enum um_status airmass_of(struct um_context *context, const struct um_mod
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: elevation %.2f deg has no airmass; accepted: rows above the horizon "
                       "of a station, or a flag that leaves the row out",
-                      m->path, m->row[row].line, look.elevation / UM_DEG);
+                      um_compare_row_path(m, row), m->row[row].line, look.elevation / UM_DEG);
 }
 
 enum um_status um_compare_calibrate(struct um_context *context, const struct um_model *model,

@@ -71,7 +71,7 @@ static enum um_status take(struct um_context *context, struct work *w, size_t k)
       return um_core_fail(context, UM_ERR_INPUT,
                           "%s:%d: column 'sigma': is empty; accepted: a number above 0, which "
                           "temperatures are weighed by",
-                          m->path, r->line);
+                          um_compare_row_path(m, (size_t)(r - m->row)), r->line);
     s->bins[s->nband] = w->bins[w->plan->source[r->channel]];
     s->intensity[s->nband] = r->value * scale;
     s->sigma[s->nband++] = r->sigma * scale;

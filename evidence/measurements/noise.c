@@ -45,8 +45,8 @@ static enum um_status sigma_of(struct um_context *context, const struct um_compa
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: the noise model gives %s '%s' of %g %s a sigma of %g %s; "
                       "accepted: above 0 (give the noise a floor)",
-                      m->path, m->row[row].line, um_compare_quantity_name(c->quantity), c->of,
-                      value, unit, *out, unit);
+                      um_compare_row_path(m, row), m->row[row].line,
+                      um_compare_quantity_name(c->quantity), c->of, value, unit, *out, unit);
 }
 
 enum um_status um_compare_noise_fill(struct um_context *context,

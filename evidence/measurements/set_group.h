@@ -10,14 +10,17 @@ struct um_compare_set {
   struct um_compare_measurements *made;
   struct um_compare_names channels, tracks, stations;
   size_t row_capacity, last_capacity;
-  size_t *last;            /* [track] row that was added last; SIZE_MAX: none */
-  size_t *before;          /* [row] the row of the same track before it; SIZE_MAX: none */
-  const char *time_column; /* what messages call it; static */
+  size_t *last;   /* [track] row that was added last; SIZE_MAX: none */
+  size_t *before; /* [row] the row of the same track before it; SIZE_MAX: none */
 };
 
 /* Begin; `path` is copied. After a failure of any call the caller abandons. */
 enum um_status um_compare_set_begin(struct um_context *context, const char *path,
                                     const char *time_column, struct um_compare_set *set);
+/* Another file, whose rows follow; its set is the index of the last. */
+enum um_status um_compare_set_file(struct um_context *context, struct um_compare_set *set,
+                                   const char *path, const char *time_column);
+/* A channel, a track of the last file. */
 enum um_status um_compare_set_channel(struct um_context *context, struct um_compare_set *set,
                                       enum um_compare_quantity quantity, const char *of,
                                       size_t *channel);

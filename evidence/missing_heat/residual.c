@@ -64,7 +64,7 @@ enum um_status um_missing_heat_residual_describe(struct um_context *context,
   if (worst == NULL) goto done;
   UM_CHECK(um_core_asprintf(context, &out->channel, "%s %s",
                             um_compare_quantity_name(m->channel[worst->channel].quantity),
-                            m->channel[worst->channel].of));
+                            m->channel[worst->channel].label));
   out->chi2_reduced = of_worst.chi2 / of_worst.count;
   out->mean = of_worst.mean;
   const struct um_compare_correlation *most = strongest(worst);

@@ -115,7 +115,7 @@ static enum um_status add_effect(struct um_context *context,
   struct um_sensitivity_targets targets = {0};
   if (effect->on_by_default ? !is_off(forward->model, effect) : effect->nparameter == 0)
     return UM_OK;
-  UM_CHECK(um_sensitivity_targets_create(context, forward->model, effect, &targets));
+  UM_CHECK(um_sensitivity_targets_create(context, forward, effect, &targets));
   for (size_t k = 0; k < targets.count; k++) {
     const char *target = targets.name[k];
     if (already(addition, naddition, effect, target)) continue;

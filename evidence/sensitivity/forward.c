@@ -59,9 +59,9 @@ static enum um_status gather(struct um_context *context,
   for (size_t j = 0; j < o->count; j++) {
     const struct um_compare_channel *channel = &m->channel[o->channel[j]];
     if (!isfinite(value[j]))
-      return um_core_fail(context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g", m->path,
-                          m->row[o->row[j]].line, um_compare_quantity_name(channel->quantity),
-                          channel->of, value[j]);
+      return um_core_fail(context, UM_ERR_INPUT, "%s:%d: the model gives %s '%s' of %g",
+                          um_compare_row_path(m, o->row[j]), m->row[o->row[j]].line,
+                          um_compare_quantity_name(channel->quantity), channel->of, value[j]);
   }
   if (forward->cache->few != NULL && tables->sampling.paths == forward->paths_before)
     um_sensitivity_forward_correct(forward->cache->few, forward->cache->base, o->count, value);

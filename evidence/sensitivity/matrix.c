@@ -31,8 +31,9 @@ static enum um_status name_curve(struct um_context *context,
   out->temperature = q == UM_QUANTITY_TEMPERATURE;
   out->unit = um_compare_residual_unit(q);
   if (out->temperature || q == UM_QUANTITY_BAND_IRRADIANCE)
-    return um_core_strdup(context, channel->of, &out->name);
-  return um_core_asprintf(context, &out->name, "%s:%s", um_compare_quantity_name(q), channel->of);
+    return um_core_strdup(context, channel->label, &out->name);
+  return um_core_asprintf(context, &out->name, "%s:%s", um_compare_quantity_name(q),
+                          channel->label);
 }
 
 /* Light first. */

@@ -25,7 +25,8 @@ static enum um_status refuse(struct um_context *context, const struct um_compare
   return um_core_fail(context, UM_ERR_INPUT,
                       "%s:%d: column 'sigma': empty; accepted: a number above 0, or a scenario "
                       "with measurements.noise for %s '%s'",
-                      m->path, m->row[row].line, um_compare_quantity_name(c->quantity), c->of);
+                      um_compare_row_path(m, row), m->row[row].line,
+                      um_compare_quantity_name(c->quantity), c->label);
 }
 
 /* Sigma and the model's share in it, once both parts are there. */

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "effects/effects.h"
 #include "thermal/network/body.h"
 
 static enum um_status add(struct um_context *context, struct um_sensitivity_targets *to,
@@ -152,6 +153,44 @@ static enum um_status leaves_environment(struct um_context *context, const struc
   return UM_OK;
 }
 
+/* --- sets of measurements -------------------------------------------------------------------- */
+
+/* Is this band, or NULL: anything, measured in the set? */
+static bool is_measured(const struct um_sensitivity_forward *f, const char *band, size_t set)
+{
+  const struct um_compare_measurements *m = f->measurements;
+  for (size_t c = 0; c < m->nchannel; c++) {
+    if (m->channel[c].set != set || f->plan->source[c] == UM_COMPARE_NOWHERE) continue;
+    if (band == NULL) return true;
+    if (m->channel[c].quantity != UM_QUANTITY_TEMPERATURE &&
+        strcmp(f->model->band[um_compare_band(f->plan, f->model, c)].name, band) == 0)
+      return true;
+  }
+  return false;
+}
+
+/* What is measured in several sets may be off in one. */
+static enum um_status add_sets(struct um_context *context, const struct um_sensitivity_forward *f,
+                               const struct um_effect *effect, struct um_sensitivity_targets *to)
+{
+  const struct um_compare_measurements *m = f->measurements;
+  size_t places = um_effects_may_be_of_a_set(effect) && m->nfile > 1 ? to->count : 0;
+  for (size_t k = 0; k < places; k++) {
+    size_t sets = 0;
+    for (size_t i = 0; i < m->nfile; i++) sets += is_measured(f, to->name[k], i);
+    for (size_t i = 0; i < m->nfile && sets > 1; i++) {
+      char *text = NULL;
+      if (!is_measured(f, to->name[k], i)) continue;
+      UM_TRY(um_core_asprintf(context, &text, "%s@%s",
+                              to->name[k] != NULL ? to->name[k] : UM_EFFECTS_ALL, m->file[i].name));
+      enum um_status status = add(context, to, text, NULL);
+      um_core_free(context, text);
+      UM_TRY(status);
+    }
+  }
+  return UM_OK;
+}
+
 /* --- all ------------------------------------------------------------------------------------- */
 
 static enum um_status fill(struct um_context *context, const struct um_model *model,
@@ -174,12 +213,13 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
 }
 
 enum um_status um_sensitivity_targets_create(struct um_context *context,
-                                             const struct um_model *model,
+                                             const struct um_sensitivity_forward *forward,
                                              const struct um_effect *effect,
                                              struct um_sensitivity_targets *out)
 {
   *out = (struct um_sensitivity_targets){0};
-  enum um_status status = fill(context, model, effect, out);
+  enum um_status status = fill(context, forward->model, effect, out);
+  if (status == UM_OK) status = add_sets(context, forward, effect, out);
   if (status != UM_OK) um_sensitivity_targets_release(context, out);
   return status;
 }

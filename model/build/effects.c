@@ -39,6 +39,21 @@ static enum um_status find(struct um_context *context, const struct um_model *mo
   return blame(context, from, "effect", um_effects_registry_refuse(context, model->registry, name));
 }
 
+/* Part the target of a use: on what it acts, and in which set of measurements. */
+static enum um_status part_target(struct um_context *context, struct um_model *model,
+                                  struct um_model_effect *use)
+{
+  char *place = NULL;
+  use->place = use->target;
+  use->set = um_effects_set_of(use->effect, use->target);
+  if (use->set == NULL) return UM_OK;
+  size_t n = um_effects_place_of(use->effect, use->target);
+  UM_TRY(um_core_arena_allocate(context, &model->memory, n + 1, 1, &place));
+  memcpy(place, use->target, n);
+  use->place = n > 0 ? place : NULL;
+  return UM_OK;
+}
+
 /* The use of an effect on a target, made with its default values when there is none. */
 static enum um_status use_of(struct um_context *context, struct um_model *model,
                              const struct um_effect *effect, const char *target,
@@ -54,7 +69,7 @@ static enum um_status use_of(struct um_context *context, struct um_model *model,
   **out = (struct um_model_effect){.effect = effect, .target = target};
   for (size_t p = 0; p < effect->nparameter; p++)
     (*out)->value[p] = effect->parameters[p].default_value;
-  return UM_OK;
+  return part_target(context, model, *out);
 }
 
 static enum um_status set_value(struct um_context *context, const struct origin *from,
@@ -85,6 +100,16 @@ static enum um_status set_parameter(struct um_context *context, const struct ori
 static enum um_status check_kind(struct um_context *context, const struct um_effect *effect,
                                  const char *target)
 {
+  const char *set = um_effects_set_of(effect, target);
+  if (set != NULL && set[0] == '\0')
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "no set is named behind '@'; accepted: the name of a set of measurements");
+  if (set != NULL && um_effects_place_of(effect, target) == 0) target = NULL;
+  if (set != NULL && target != NULL && effect->targets == UM_TARGET_GLOBAL)
+    return um_core_fail(context, UM_ERR_INPUT,
+                        "effect '%s' acts on everything; accepted: no target, or '" UM_EFFECTS_ALL
+                        "@%s'",
+                        effect->name, set);
   if (target == NULL && (effect->targets & UM_TARGET_GLOBAL) == 0)
     return um_core_fail(context, UM_ERR_INPUT, "effect '%s' needs a target", effect->name);
   if (target != NULL && effect->targets == UM_TARGET_GLOBAL)
@@ -198,12 +223,14 @@ enum um_status um_model_check_with(struct um_context *context, const struct um_m
                                    const char *typed)
 {
   struct um_model scratch = *model;
+  scratch.memory = (struct um_core_arena){NULL};
   const struct origin origin = {.option = "--with", .text = typed};
   char *text;
   scratch.effect = NULL;
   scratch.neffect = 0;
   UM_TRY(um_core_strdup(context, typed, &text));
   enum um_status status = take_text(context, &scratch, text, &origin, false);
+  um_core_arena_release(context, &scratch.memory);
   UM_FREE(context, scratch.effect, text);
   return status;
 }
@@ -445,7 +472,14 @@ enum um_status um_model_check_target(struct um_context *context, const struct um
 {
   struct target_names names = {.guess = {.written = target}};
   char hint[UM_CORE_WORDS_HINT];
+  const char *set = um_effects_set_of(effect, target);
+  char place[256];
   UM_TRY(check_kind(context, effect, target));
+  if (set != NULL) { /* whether there is such a set, measurements say */
+    snprintf(place, sizeof place, "%.*s", (int)um_effects_place_of(effect, target), target);
+    target = place[0] != '\0' ? place : NULL;
+    names.guess.written = target;
+  }
   if (target == NULL || built_target_exists(model, effect->targets, target)) return UM_OK;
   list_targets(model, effect->targets, &names);
   return um_core_fail(context, UM_ERR_INPUT,
@@ -470,8 +504,18 @@ bool um_model_effect_next(const struct um_model *model, size_t *index, struct um
   while (*index < model->neffect) {
     const struct um_model_effect *e = &model->effect[(*index)++];
     if (e->off) continue;
-    *use = (struct um_effect_use){e->effect, e->target, e->value, model->scenario->time->start};
+    *use = (struct um_effect_use){e->effect, e->place, e->value, model->scenario->time->start};
     return true;
+  }
+  return false;
+}
+
+bool um_model_effect_next_in(const struct um_model *model, const char *set, size_t *index,
+                             struct um_effect_use *use)
+{
+  while (um_model_effect_next(model, index, use)) {
+    const char *of = model->effect[*index - 1].set;
+    if (of == NULL || (set != NULL && strcmp(of, set) == 0)) return true;
   }
   return false;
 }

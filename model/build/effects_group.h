@@ -15,5 +15,8 @@ enum um_status um_model_vary_effects(struct um_context *context, struct um_model
 enum um_status um_model_check_effects(struct um_context *context, const struct um_model *model);
 /* The next effect that is on, from *index, which moves behind it; false at the end. */
 bool um_model_effect_next(const struct um_model *model, size_t *index, struct um_effect_use *use);
+/* The same of those that act on an observation of this set of measurements; NULL: of none. */
+bool um_model_effect_next_in(const struct um_model *model, const char *set, size_t *index,
+                             struct um_effect_use *use);
 
 #endif

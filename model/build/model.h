@@ -62,6 +62,8 @@ struct um_model_options {
 struct um_model_effect {
   const struct um_effect *effect;
   const char *target; /* NULL: everything it can act on; owned by document or model */
+  /* The target without "@SET", NULL: everything; the set, NULL: all (um_effects_set_of). */
+  const char *place, *set;
   double value[UM_EFFECT_PARAMETERS_MAX];
   bool off;
   bool off_by_keys;          /* a core switch that keys of `environment` hold off */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/core/suggestions.h"
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "model/geometry/mirrors.h"
@@ -118,13 +119,21 @@ static bool events_equal(const struct um_model_tables *a, const struct um_model_
   return true;
 }
 
+static bool sets_equal(const struct um_model_tables *a, const struct um_model_tables *b)
+{
+  if (a->set == NULL || b->set == NULL) return a->set == b->set;
+  for (size_t k = 0; k < a->nobs; k++)
+    if (!um_core_words_same(a->set[k], b->set[k])) return false;
+  return true;
+}
+
 /* The same observations. */
 static bool observations_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   size_t n = a->nobs * a->nsub;
   return a->nobs == b->nobs && a->nsub == b->nsub && a->t_first == b->t_first &&
          a->t_start == b->t_start && same(a->t_obs, b->t_obs, a->nobs, sizeof *a->t_obs) &&
-         same(a->look, b->look, n, sizeof *a->look) &&
+         sets_equal(a, b) && same(a->look, b->look, n, sizeof *a->look) &&
          same(a->sample, b->sample, n, sizeof *a->sample) &&
          same(a->hidden, b->hidden, a->nobs, sizeof *a->hidden);
 }

@@ -54,17 +54,19 @@ static enum um_status check_points(struct um_context *context, const struct um_m
 }
 
 static enum um_status trace_points(struct um_context *context, const struct um_model *model,
-                                   const struct um_model_point *points,
+                                   const struct um_model_instants *instants,
                                    struct um_model_tables *tables)
 {
+  const struct um_model_point *points = instants->point;
   size_t n = tables->nobs;
+  UM_TRY(um_model_tables_keep_sets(context, instants, tables));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->t_obs));
   UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->sunlit));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
   for (size_t k = 0; k < n; k++) {
     struct um_model_point point = points[k];
-    point.t = um_model_true_time(model, point.t);
+    point.t = um_model_true_time(model, um_model_instant_set(instants, k), point.t);
     UM_TRY(um_model_sample_point(context, model, &point, &tables->sample[k], &tables->look[k]));
     tables->t_obs[k] = points[k].t;
     tables->sunlit[k] = tables->sample[k].sunlit_fraction;
@@ -84,7 +86,7 @@ enum um_status um_model_points_plan(struct um_context *context, const struct um_
   UM_TRY(um_core_allocate(context, 1, sizeof *tables, &tables));
   *tables =
       (struct um_model_tables){.nobs = instants->count, .nsub = 1, .points = true, .period = NAN};
-  UM_CHECK(trace_points(context, model, instants->point, tables));
+  UM_CHECK(trace_points(context, model, instants, tables));
   UM_CHECK(um_model_tables_hide(context, model, tables));
 done:
   if (status != UM_OK) um_model_tables_destroy(context, &tables);

@@ -19,22 +19,40 @@
 #include "model/geometry/precompute_loads_impl.h"
 #include "optics/paths/photon_maps.h"
 
+const char *um_model_instant_set(const struct um_model_instants *instants, size_t k)
+{
+  return instants->set != NULL ? instants->set[k] : NULL;
+}
+
+enum um_status um_model_tables_keep_sets(struct um_context *context,
+                                         const struct um_model_instants *instants,
+                                         struct um_model_tables *tables)
+{
+  if (instants->set == NULL) return UM_OK;
+  UM_TRY(um_core_allocate(context, instants->count, sizeof *tables->set, (void *)&tables->set));
+  for (size_t k = 0; k < instants->count; k++) tables->set[k] = instants->set[k];
+  return UM_OK;
+}
+
 /* The time at which an observation was really made. */
-double um_model_true_time(const struct um_model *model, double tag)
+double um_model_true_time(const struct um_model *model, const char *set, double tag)
 {
   struct um_effect_use use;
   double t = tag;
-  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+  for (size_t i = 0; um_model_effect_next_in(model, set, &i, &use);)
     if (use.effect->hooks.time != NULL) t = use.effect->hooks.time(&use, t);
   return t;
 }
 
 /* The exposure of an observation as it really was [s]. */
-static double true_exposure(const struct um_model *model, const double *exposures, size_t k)
+static double true_exposure(const struct um_model *model, const struct um_model_instants *instants,
+                            size_t k)
 {
   struct um_effect_use use;
-  double exposure = exposures != NULL ? exposures[k] : model->scenario->time->exposure_s;
-  for (size_t i = 0; um_model_effect_next(model, &i, &use);)
+  const char *set = um_model_instant_set(instants, k);
+  double exposure =
+      instants->exposure != NULL ? instants->exposure[k] : model->scenario->time->exposure_s;
+  for (size_t i = 0; um_model_effect_next_in(model, set, &i, &use);)
     if (use.effect->hooks.exposure != NULL) exposure = use.effect->hooks.exposure(&use, exposure);
   return exposure;
 }
@@ -60,13 +78,14 @@ static double instant_of(size_t i, size_t n)
 }
 
 static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
-                                         const double *times, const double *exposures, size_t ntime,
+                                         const struct um_model_instants *instants,
                                          struct um_model_tables *tables)
 {
   const struct um_scenario_time *time = model->scenario->time;
   bool exposed = time->exposure_s > 0.0;
-  for (size_t k = 0; k < ntime; k++) exposed = exposed || true_exposure(model, exposures, k) > 0.0;
-  tables->nobs = ntime;
+  for (size_t k = 0; k < instants->count; k++)
+    exposed = exposed || true_exposure(model, instants, k) > 0.0;
+  tables->nobs = instants->count;
   tables->nsub = exposed ? (size_t)time->exposure_samples : 1;
   size_t n = tables->nobs * tables->nsub;
   UM_TRY(um_model_check_instants(context, model, tables->nobs, tables->nsub));
@@ -74,12 +93,14 @@ static enum um_status trace_observations(struct um_context *context, const struc
   UM_TRY(um_core_allocate(context, tables->nobs, sizeof(double), &tables->sunlit));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
-  memcpy(tables->t_obs, times, ntime * sizeof(double));
+  memcpy(tables->t_obs, instants->time, tables->nobs * sizeof(double));
+  UM_TRY(um_model_tables_keep_sets(context, instants, tables));
   um_core_progress_begin(context, "following the orbit", n);
   for (size_t i = 0; i < n; i++) {
     size_t k = i / tables->nsub;
     double u = instant_of(i % tables->nsub, tables->nsub);
-    double t = um_model_true_time(model, tables->t_obs[k] + u * true_exposure(model, exposures, k));
+    double t = um_model_true_time(model, um_model_instant_set(instants, k),
+                                  tables->t_obs[k] + u * true_exposure(model, instants, k));
     if (model->has_observer) {
       UM_TRY(um_model_sample_seen(context, model, t, &tables->sample[i], &tables->look[i]));
     } else {
@@ -91,7 +112,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
       return um_core_fail(context, UM_ERR_INPUT,
                           "observation %zu: its exposure of %g s begins before the one before it "
                           "ends; accepted: exposures that do not overlap",
-                          k + 1, true_exposure(model, exposures, k));
+                          k + 1, true_exposure(model, instants, k));
     tables->sunlit[k] += tables->sample[i].sunlit_fraction / (double)tables->nsub;
     UM_TRY(um_core_progress_step(context, 1));
   }
@@ -117,28 +138,33 @@ static void trace_span(const struct um_model *model, struct um_model_tables *tab
   tables->t_periodic_end = periodic ? tables->t_start + tables->period : tables->t_start;
 }
 
-static enum um_status check_times(struct um_context *context, const double *times, size_t n)
+/* Strictly ascending; of two sets of measurements two may be at one time. */
+static enum um_status check_times(struct um_context *context,
+                                  const struct um_model_instants *instants)
 {
-  if (n == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
-  for (size_t k = 1; k < n; k++)
-    if (!(times[k] > times[k - 1]))
+  const double *times = instants->time;
+  if (instants->count == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
+  for (size_t k = 1; k < instants->count; k++)
+    if (!(times[k] > times[k - 1]) &&
+        !(times[k] == times[k - 1] &&
+          um_model_instant_set(instants, k) != um_model_instant_set(instants, k - 1)))
       return um_core_fail(context, UM_ERR_INPUT,
                           "observation %zu is not later than the one before it", k + 1);
   return UM_OK;
 }
 
 enum um_status um_model_precompute_observed(struct um_context *context,
-                                            const struct um_model *model, const double *times,
-                                            const double *exposures, size_t count,
+                                            const struct um_model *model,
+                                            const struct um_model_instants *instants,
                                             struct um_model_tables **out)
 {
   enum um_status status;
   struct um_model_tables *tables = NULL;
   *out = NULL;
   UM_CHECK(um_model_check_track(context, model));
-  UM_CHECK(check_times(context, times, count));
+  UM_CHECK(check_times(context, instants));
   UM_CHECK(um_core_allocate(context, 1, sizeof *tables, &tables));
-  UM_CHECK(trace_observations(context, model, times, exposures, count, tables));
+  UM_CHECK(trace_observations(context, model, instants, tables));
   UM_CHECK(um_model_tables_hide(context, model, tables));
   *out = tables;
   tables = NULL;
@@ -150,9 +176,10 @@ done:
 enum um_status um_model_hidden_at(struct um_context *context, const struct um_model *model,
                                   const double *times, size_t count, bool **hidden)
 {
+  const struct um_model_instants instants = {.time = times, .count = count};
   struct um_model_tables *tables = NULL;
   *hidden = NULL;
-  UM_TRY(um_model_precompute_observed(context, model, times, NULL, count, &tables));
+  UM_TRY(um_model_precompute_observed(context, model, &instants, &tables));
   *hidden = tables->hidden;
   tables->hidden = NULL;
   um_model_tables_destroy(context, &tables);
@@ -164,11 +191,10 @@ static enum um_status plan_at(struct um_context *context, const struct um_model 
                               struct um_model_precompute_plan *out)
 {
   struct um_model_tables *tables = NULL;
-  UM_TRY(check_times(context, instants->time, instants->count));
+  UM_TRY(check_times(context, instants));
   UM_TRY(um_core_allocate(context, 1, sizeof *tables, &tables));
   out->tables = tables;
-  UM_TRY(trace_observations(context, model, instants->time, instants->exposure, instants->count,
-                            tables));
+  UM_TRY(trace_observations(context, model, instants, tables));
   UM_TRY(um_model_tables_hide(context, model, tables));
   trace_span(model, tables);
   UM_TRY(um_model_spin_period(context, model, tables, &tables->spin_period));
@@ -268,6 +294,7 @@ void um_model_tables_destroy(struct um_context *context, struct um_model_tables 
   if (tables == NULL || *tables == NULL) return;
   struct um_model_tables *t = *tables;
   um_core_free(context, t->t_obs);
+  um_core_free(context, (void *)t->set);
   um_core_free(context, t->sunlit);
   um_core_free(context, t->hidden);
   um_core_free(context, t->look);

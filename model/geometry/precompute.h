@@ -11,6 +11,9 @@ struct um_model_instants {
   const double *time;     /* [count] t_tai [s], as um_model_precompute_at takes them; NULL without
                              points: the scenario's own window */
   const double *exposure; /* [count] [s]; NULL: the scenario's */
+  /* [count] the set of measurements of each, NULL: of none; NULL: of none all. Two times may be the
+   * same in different sets. Names are told apart by their text, and outlive the tables. */
+  const char *const *set;
   const struct um_model_point *point; /* [count] of a scenario with orbit.points; NULL: an orbit */
   size_t count;
   struct um_model_sampling sampling;

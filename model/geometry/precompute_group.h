@@ -6,8 +6,16 @@
 #include "model/geometry/precompute.h"
 #include "model/geometry/tables.h"
 
-/* The time at which an observation of that tag was really made. */
-double um_model_true_time(const struct um_model *model, double tag);
+/* The time at which an observation of that tag was really made, of a set of measurements or, NULL,
+ * of none. */
+double um_model_true_time(const struct um_model *model, const char *set, double tag);
+
+/* The set of measurements of an observation; NULL: of none. */
+const char *um_model_instant_set(const struct um_model_instants *instants, size_t k);
+/* What tables remember of that. */
+enum um_status um_model_tables_keep_sets(struct um_context *context,
+                                         const struct um_model_instants *instants,
+                                         struct um_model_tables *tables);
 
 /* What geometry tables are to be of, before anything is traced. */
 struct um_model_precompute_plan {
@@ -27,8 +35,8 @@ void um_model_precompute_plan_clear(struct um_context *context,
 /* Observations of an orbit alone: what is seen when, from where; no loads, no lines of sight.
  * Errors of um_model_precompute_at; the caller destroys. */
 enum um_status um_model_precompute_observed(struct um_context *context,
-                                            const struct um_model *model, const double *times,
-                                            const double *exposures, size_t count,
+                                            const struct um_model *model,
+                                            const struct um_model_instants *instants,
                                             struct um_model_tables **out);
 
 /* Lines of sight of what stands in the geometry tables, and its sampling; none without an

@@ -44,8 +44,7 @@ enum um_status um_model_precompute_unposed(struct um_context *context, const str
                                            struct um_model_tables **out)
 {
   if (instants->point != NULL) return um_model_points_plan(context, model, instants, out);
-  return um_model_precompute_observed(context, model, instants->time, instants->exposure,
-                                      instants->count, out);
+  return um_model_precompute_observed(context, model, instants, out);
 }
 
 enum um_status um_model_precompute_like(struct um_context *context, const struct um_model *made,

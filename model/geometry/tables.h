@@ -21,10 +21,11 @@ struct um_model_body_tables;
 
 /* Everything geometric about one timeline, traced once; physics runs on it many times. */
 struct um_model_tables {
-  size_t nobs;                          /* observations */
-  size_t nsub;                          /* instants per observation (exposure) */
-  double *t_obs;                        /* [nobs] t_tai, mid-exposure, at the observer */
-  struct um_orbit_look *look;           /* [nobs * nsub] */
+  size_t nobs;                /* observations */
+  size_t nsub;                /* instants per observation (exposure) */
+  double *t_obs;              /* [nobs] t_tai, mid-exposure, at the observer */
+  const char **set;           /* [nobs] of um_model_instants; NULL: none; texts borrowed */
+  struct um_orbit_look *look; /* [nobs * nsub] */
   struct um_environment_sample *sample; /* [nobs * nsub], at the satellite's time */
   double *sunlit;                       /* [nobs] mean over the exposure */
   bool *hidden;   /* [nobs] below the station's horizon, or behind the Earth, during the exposure */

@@ -97,7 +97,7 @@ enum um_status um_model_map_pass_create(struct um_context *context, const struct
   UM_CHECK(um_core_allocate(context, n, sizeof *sample, &sample));
   for (size_t i = 0; i < n; i++) {
     struct um_orbit_look look;
-    double at = um_model_true_time(model, t[i]);
+    double at = um_model_true_time(model, NULL, t[i]);
     UM_CHECK(um_model_sample_seen(context, model, at, &sample[i], &look));
   }
   UM_CHECK(um_model_map_pass_of(context, model, map, sample, t, n, out));

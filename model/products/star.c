@@ -65,7 +65,7 @@ enum um_status um_model_star_rate(struct um_context *context, const struct um_mo
                                      .electrons = NAN,
                                      .background = NAN};
   *rate = um_instrument_count_rate(&sensor->optics, &counted, star);
-  UM_CHECK(um_model_observe(context, model, &at, &after));
+  UM_CHECK(um_model_observe(context, model, NULL, &at, &after));
   if (after != before) *rate *= after / before;
 done:
   um_core_free(context, star);

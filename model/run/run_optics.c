@@ -230,15 +230,17 @@ static enum um_status transform(struct um_context *context, const struct um_mode
                                     .sensor = reading->sensor,
                                     .electrons = reading->electrons,
                                     .background = reading->background};
-  return um_model_observe(context, model, &o, value);
+  return um_model_observe(context, model, tables->set != NULL ? tables->set[reading->k] : NULL, &o,
+                          value);
 }
 
 enum um_status um_model_observe(struct um_context *context, const struct um_model *model,
-                                const struct um_effect_observation *at, double *value)
+                                const char *set, const struct um_effect_observation *at,
+                                double *value)
 {
   struct um_effect_use use;
   for (int detector = 0; detector < 2; detector++)
-    for (size_t i = 0; um_model_effect_next(model, &i, &use);) {
+    for (size_t i = 0; um_model_effect_next_in(model, set, &i, &use);) {
       struct um_effect_observation seen = *at;
       if (use.effect->hooks.observation == NULL || use.effect->on_by_default != detector) continue;
       seen.value = *value;

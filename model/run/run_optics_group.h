@@ -11,9 +11,10 @@ enum um_status um_model_run_optics(struct um_context *context, const struct um_m
                                    const struct um_optics_lightcurve *curve,
                                    struct um_model_result *result);
 /* A band irradiance [W/m^2] through all effects on observations, in order: those of the sky, then
- * switches of the detector. at->value is not read. */
+ * switches of the detector. set: of measurements; NULL: none. at->value is not read. */
 enum um_status um_model_observe(struct um_context *context, const struct um_model *model,
-                                const struct um_effect_observation *at, double *value);
+                                const char *set, const struct um_effect_observation *at,
+                                double *value);
 /* Scene of the geometry tables' instants for the optics; albedo, view_factor, brightness
  * and, where surfaces age, adjustment are new memory that um_model_scene_release frees. */
 enum um_status um_model_scene_make(struct um_context *context, const struct um_model *model,

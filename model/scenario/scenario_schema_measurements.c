@@ -33,7 +33,8 @@ static const struct um_schema_field nuisance_fields[] = {
            "positive factors; default: the width of their prior")),
     F(free, UM_SCHEMA_BOOL, DEFAULT(0), HELP("true: no such width, instead of sigma")),
     F(per, UM_SCHEMA_TEXT,
-      HELP("set: one value for all measurements, the default; nothing else is accepted")),
+      HELP("of several sets of measurements: set, a value in each, the default of what acts on "
+           "measurements; all, one value")),
 };
 #undef OF
 OBJECT(nuisance_object, struct um_scenario_nuisance, "nuisance",

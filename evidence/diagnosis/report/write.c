@@ -92,7 +92,7 @@ static void fit_row(const struct um_diagnosis *d, size_t c, size_t i, FILE *file
   char time[40];
   um_compare_time_text(f->observations.t[i], time);
   fprintf(file, "%s,%s,", time, um_compare_quantity_name(channel->quantity));
-  um_core_csv_put(file, channel->of, "");
+  um_core_csv_put(file, channel->label, "");
   um_core_csv_put_number(file, f->measurements->row[f->observations.row[i]].value);
   um_core_csv_put_number(file, row_sigma(f, i, channel->quantity));
   um_core_csv_put_number(file, um_diagnosis_report_in_unit(channel->quantity, d->value_before[i]));

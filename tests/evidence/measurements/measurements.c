@@ -215,7 +215,7 @@ static void test_forms_of_time(void **state)
              forms[i].column, forms[i].text);
     round_trip(text, HEAD "2016-09-21T20:33:00.000Z,count_rate,ufo,1,\n");
     assert_ok(um_compare_measurements_read(context, "m.csv", &m));
-    assert_string_equal(m->time_column, forms[i].column);
+    assert_string_equal(m->file[0].time_column, forms[i].column);
     assert_close(m->row[0].t_tai, utc("2016-09-21T20:33:00Z"), 2e-7);
     um_compare_measurements_destroy(context, &m);
   }
