@@ -1,0 +1,180 @@
+/* Answers by hand, judged: what each figure of the benchmark of diagnosis counts. */
+#include <math.h>
+#include <string.h>
+
+#include "tests/bench/worlds.h"
+#include "tests/support/cmocka_all.h"
+
+static struct worlds_answer answer(const char *verdict, const char *certain, const char *groups,
+                                   const char *values)
+{
+  struct worlds_answer a = {.world = "x", .method = "hand", .probability = NAN};
+  strcpy(a.verdict, verdict);
+  strcpy(a.certain, certain);
+  strcpy(a.groups, groups);
+  strcpy(a.values, values);
+  return a;
+}
+
+static struct worlds_judgement judge(const struct worlds_world *world, struct worlds_answer a)
+{
+  struct worlds_judgement j;
+  worlds_judge(world, &a, &j);
+  return j;
+}
+
+static const struct worlds_world power = {
+    .good = WORLDS_FOUND,
+    .also = "stored_heat:bus",
+    .nhidden = 1,
+    .hidden = {
+        {.names = "internal_power:bus*", .nvalue = 1, .parameter = {"power_W"}, .value = {25.0}}}};
+static const struct worlds_world nothing = {.good = WORLDS_COMPLETE};
+
+static void test_names(void **state)
+{
+  (void)state;
+  assert_true(worlds_names_match("albedo|heater:bus*", "heater:bus.interior"));
+  assert_true(worlds_names_match("albedo|heater:bus*", "albedo"));
+  assert_false(worlds_names_match("albedo|heater:bus*", "albedo_level"));
+  assert_false(worlds_names_match("albedo|heater:bus*", "heater:array"));
+  assert_false(worlds_names_match("", "albedo"));
+}
+
+static void test_named(void **state)
+{
+  (void)state;
+  struct worlds_judgement j =
+      judge(&power, answer("found", "internal_power:bus", "", "internal_power:bus power_W 24 0.5"));
+  assert_true(j.detected && j.right && !j.false_certain && !j.abstained);
+  assert_close(j.isolation, 1.0, 0.0);
+  assert_int_equal(j.nvalue, 1);
+  assert_int_equal(j.nwithin, 1);
+  /* two sigmas off are within three, four are not */
+  j = judge(&power, answer("found", "internal_power:bus", "", "internal_power:bus power_W 23 0.5"));
+  assert_int_equal(j.nwithin, 0);
+}
+
+static void test_one_of_a_group(void **state)
+{
+  (void)state;
+  struct worlds_judgement j = judge(
+      &power, answer("not_identifiable", "", "albedo_level+internal_power:bus+emittance:a", ""));
+  assert_true(j.right && j.abstained && j.detected);
+  assert_close(j.isolation, 1.0 / 3.0, 1e-15);
+  /* what looks like it counts as right, and is given no probability */
+  j = judge(&power, answer("not_identifiable", "", "stored_heat:bus+area:bus", ""));
+  assert_true(j.right);
+  assert_close(j.isolation, 0.0, 0.0);
+  /* to be certain of it does not */
+  j = judge(&power, answer("found", "stored_heat:bus", "", ""));
+  assert_true(!j.right && j.false_certain);
+}
+
+static void test_false_beside_true(void **state)
+{
+  (void)state;
+  struct worlds_judgement j =
+      judge(&power, answer("found", "internal_power:bus albedo_level", "", ""));
+  assert_true(j.false_certain && !j.right);
+  assert_close(j.isolation, 1.0, 0.0);
+}
+
+static void test_missed(void **state)
+{
+  (void)state;
+  struct worlds_judgement j = judge(&power, answer("unexplained", "", "", ""));
+  assert_true(j.detected && j.abstained && !j.right);
+  assert_close(j.isolation, 0.0, 0.0);
+  j = judge(&power, answer("complete", "", "", ""));
+  assert_true(!j.detected && !j.right);
+  j = judge(&power, answer("error", "", "", ""));
+  assert_true(!j.detected && !j.right);
+}
+
+static void test_nothing(void **state)
+{
+  (void)state;
+  struct worlds_world noise = {.good = WORLDS_NOBODY};
+  struct worlds_judgement j = judge(&nothing, answer("complete", "", "", ""));
+  assert_true(j.right && j.is_null && !j.accused && isnan(j.isolation));
+  j = judge(&nothing, answer("unexplained", "", "", ""));
+  assert_true(!j.right && !j.accused);
+  j = judge(&noise, answer("unexplained", "", "", ""));
+  assert_true(j.right);
+  j = judge(&noise, answer("not_identifiable", "", "a+b", ""));
+  assert_true(!j.right && j.accused && !j.false_certain);
+}
+
+static void test_unexplained(void **state)
+{
+  (void)state;
+  struct worlds_world pulse = {
+      .good = WORLDS_UNEXPLAINED, .nhidden = 1, .hidden = {{.names = "pulse:bus.-y"}}};
+  struct worlds_judgement j = judge(&pulse, answer("unexplained", "", "pulse:bus.-y", ""));
+  assert_true(j.right);
+  assert_close(j.isolation, 1.0, 0.0);
+  /* the wrong place */
+  j = judge(&pulse, answer("unexplained", "", "pulse:bus.+y", ""));
+  assert_false(j.right);
+  j = judge(&pulse, answer("found", "albedo_level", "", ""));
+  assert_true(!j.right && j.false_certain);
+  assert_close(j.isolation, 0.0, 0.0);
+}
+
+/* Of two effects one is found; the other need not be. A stated probability takes the group's place.
+ */
+static void test_two_and_stated(void **state)
+{
+  (void)state;
+  struct worlds_world two = {.good = WORLDS_FOUND,
+                             .nhidden = 3,
+                             .hidden = {{.names = "background:vis"},
+                                        {.names = "nonlinearity:vis"},
+                                        {.names = "extinction:lwir", .optional = true}}};
+  struct worlds_answer a = answer("found", "background:vis extinction:lwir", "", "");
+  struct worlds_judgement j = judge(&two, a);
+  assert_true(!j.right && !j.false_certain);
+  assert_close(j.isolation, 0.5, 0.0);
+  a.probability = 0.9;
+  j = judge(&two, a);
+  assert_close(j.isolation, 0.9, 0.0);
+}
+
+/* A sine of 40 points a period and amplitude 3 is a discrepancy, unit noise is none. The noise is a
+ * fixed sequence, alternating, of mean square 1, that no smooth process explains. */
+static void test_discrepancy(void **state)
+{
+  (void)state;
+  enum { N = 80 };
+  double t[N], r[N], out[N], rms = 0.0;
+  size_t channel[N];
+  bool found;
+  struct um_context *context = NULL;
+  assert_int_equal(um_core_context_create(NULL, &context), UM_OK);
+  for (size_t i = 0; i < N; i++) {
+    t[i] = 5.0 * (double)i;
+    channel[i] = 0;
+    r[i] = i % 2 == 0 ? 1.0 : -1.0;
+  }
+  assert_int_equal(worlds_discrepancy(context, N, t, channel, 1, r, out, &found), UM_OK);
+  assert_false(found);
+  assert_close(out[7], 0.0, 0.0);
+  for (size_t i = 0; i < N; i++) r[i] += 3.0 * sin(0.157079632679 * (double)i);
+  assert_int_equal(worlds_discrepancy(context, N, t, channel, 1, r, out, &found), UM_OK);
+  assert_true(found);
+  for (size_t i = 0; i < N; i++) rms += pow(out[i] - 3.0 * sin(0.157079632679 * (double)i), 2.0);
+  assert_true(sqrt(rms / N) < 0.5);
+  um_core_context_destroy(&context);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_names),          cmocka_unit_test(test_named),
+      cmocka_unit_test(test_one_of_a_group), cmocka_unit_test(test_false_beside_true),
+      cmocka_unit_test(test_missed),         cmocka_unit_test(test_nothing),
+      cmocka_unit_test(test_unexplained),    cmocka_unit_test(test_two_and_stated),
+      cmocka_unit_test(test_discrepancy)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
