@@ -78,7 +78,9 @@ static enum um_status go_forward(struct um_context *context, const struct um_dia
     d->nstep++;
     UM_TRY(um_core_allocate(context, n, sizeof *step->value, &step->value));
     memcpy(step->value, state->fit->value, n * sizeof *step->value);
-    if (state->nblock - state->nnuisance > 1) UM_TRY(um_diagnosis_pair_swap(context, work, state));
+    /* fits that pairs cost are not pruned beside a discrepancy; those of a white search stand */
+    if (work->noise == NULL && state->nblock - state->nnuisance > 1)
+      UM_TRY(um_diagnosis_pair_swap(context, work, state));
     UM_TRY(um_diagnosis_backward(context, work, state, d));
   }
   UM_TRY(um_diagnosis_superseded_take(context, d));
