@@ -25,9 +25,9 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 LAST = (100, 150, 200)  # seconds at the end that may be meant by "the last part"
 ARRAY = ("cell_silicon", "cfrp")
-CHEAP = ["time.step_s=10", "thermal.step_s=10", "thermal.accuracy_K=0.2", "thermal.exchange_patches=64",
-         "thermal.view_factor_rays=512", "parts.bus.interior.conductivity_W_m_K=0", "bands.vis.bins=4", "bands.lwir.bins=8",
-         "optics.samples=4"]
+CHEAP = ["thermal.facets=''", "time.step_s=10", "thermal.step_s=10", "thermal.accuracy_K=0.2",
+         "thermal.exchange_patches=64", "thermal.view_factor_rays=512", "parts.bus.interior.conductivity_W_m_K=0",
+         "bands.vis.bins=4", "bands.lwir.bins=8", "optics.samples=4"]
 C1, C2 = 1.191042972e-16, 1.438776877e-2  # 2 h c^2 [W m^2/sr], h c/k [m K]
 
 

@@ -160,6 +160,11 @@ def shows(runs):
     before, last = lwir[:-150], lwir[-150:]
     sun = [v for v, lit in zip(before, run.sunlit) if lit >= 1e-3]
     print(f"LWIR, last 150 s {mean(last):.1f}, over all before {mean(last) / mean(before):.3f}, sunlit before {mean(sun):.1f} W/sr")
+    lit = [i for i, s in enumerate(run.sunlit) if s >= 0.5]
+    curves = (lwir, run.light["lwir_emitted_W_sr"], run.light["lwir_irradiance_W_m2"], [r ** -2 for r in run.light["range_km"]])
+    rows = [[f"{end} s"] + [f"{mean(v[-end:]) / mean(v[i] for i in lit if i < len(v) - end):.2f}" for v in curves]
+            for end in (30, 100, 150, 200)]
+    table(["last", "radiant intensity", "its emitted part alone", "irradiance", "1/range² alone"], rows)
     for place in ("solar_array", "bus.mli", "bus.interior", "ka_antenna", "asar"):
         print(f"{place}: {range_of(run, place)}, mean {mean(run.heat[place + '.mean_K']):.1f} K")
     print()
@@ -290,8 +295,8 @@ def attitude(runs):
 
 def mesh(runs):
     """Facets of one size, and those of facets.csv, which are cut where temperatures ask for it; against the finest."""
-    sets = {f"{size} m": [f"thermal.facet_size_m={size}"] for size in ("2.4", "1.2", "0.6", "0.3")}
-    sets["facets.csv"] = ["thermal.facets=facets.csv"]
+    sets = {f"{size} m": ["thermal.facets=''", f"thermal.facet_size_m={size}"] for size in ("2.4", "1.2", "0.6", "0.3")}
+    sets["facets.csv"] = []
     asked = {name: runs.ask("mesh " + name, sets=SLOW + extra) for name, extra in sets.items()}
     finest, rows, points = asked["0.3 m"].result(), [], []
     for name, future in asked.items():

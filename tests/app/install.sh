@@ -21,7 +21,8 @@ DESTDIR=$folder/stage "$cmake" --install "$build" --prefix /opt/umbra >"$folder/
 tree="$folder/moved to another place"
 mv "$folder/stage/opt/umbra" "$tree"
 for file in share/umbra/materials/mli_kapton.yaml share/umbra/scenarios/sphere/scenario.yaml share/umbra/sensors/ufo.yaml \
-  share/umbra/scenarios/envisat-graz-2016/geometry/bus.obj share/doc/umbra/README.md share/doc/umbra/LICENSE \
+  share/umbra/scenarios/envisat-graz-2016/geometry/bus.obj share/umbra/scenarios/envisat-graz-2016/facets.csv \
+  share/doc/umbra/README.md share/doc/umbra/LICENSE \
   share/doc/umbra/docs/files.md share/doc/umbra/examples/effects/pileup.c include/umbra/effects/effect.h \
   share/bash-completion/completions/umbra share/zsh/site-functions/_umbra share/man/man1/umbra.1 \
   share/man/man1/umbra-run.1 share/man/man1/umbra-diagnose.1; do

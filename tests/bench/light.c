@@ -50,8 +50,9 @@ static double now(const struct bench *bench)
 
 static void pass_create(const struct bench *bench, struct pass *pass)
 {
-  static const char *const overrides[] = {"time.step_s=4", "thermal.facet_size_m=2"};
-  const struct um_model_options options = {.overrides = overrides, .noverride = 2};
+  static const char *const overrides[] = {"time.step_s=4", "thermal.facets=''",
+                                          "thermal.facet_size_m=2"};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 3};
   struct um_context *context = bench->context;
   bench_must(bench, um_model_create(context, SCENARIO, &options, &pass->model));
   double a = now(bench);

@@ -95,9 +95,9 @@ static void ours(const struct bench *bench, const char *folder, struct pair all[
 {
   static const char *const overrides[] = {"time.start_utc=2016-09-21T20:37:30Z",
                                           "time.stop_utc=2016-09-21T20:43:05Z", "time.step_s=30",
-                                          "thermal.facet_size_m=2"};
+                                          "thermal.facets=''", "thermal.facet_size_m=2"};
   static const char *const body[CASES] = {GREY, LOBE, GREY, GREY, LOBE};
-  const struct um_model_options options = {.overrides = overrides, .noverride = 4};
+  const struct um_model_options options = {.overrides = overrides, .noverride = 5};
   const struct um_optics_band band = {"vis", 0.38e-6, 0.78e-6, 1, NULL};
   struct um_context *context = bench->context;
   struct um_model *model = NULL;

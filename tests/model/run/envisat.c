@@ -44,8 +44,10 @@ static int compute(void **state)
 {
   static struct pass pass;
   static const char *const overrides[] = {"time.step_s=10", "time.light_time=false",
-                                          "thermal.facet_size_m=3", "environment.disc=uniform"};
-  const struct um_model_options options = {.overrides = overrides, .noverride = 4};
+                                          "thermal.facets=''", "thermal.facet_size_m=3",
+                                          "environment.disc=uniform"};
+  const struct um_model_options options = {.overrides = overrides,
+                                           .noverride = sizeof overrides / sizeof overrides[0]};
   need(NULL, um_core_context_create(NULL, &pass.context));
   need(pass.context, um_model_create(pass.context, SCENARIO, &options, &pass.model));
   need(pass.context, um_model_precompute(pass.context, pass.model, &pass.tables));
