@@ -20,7 +20,7 @@ const struct um_effect um_effects_umbra_scatter = {
         "light between surfaces are left out",
     .separated_by =
         "shadow_refraction, moonlight and background: minutes in the umbra, in which it "
-        "falls by a factor of 3 each 20 s; the Moon stays",
+        "falls by half or more each 20 s; the Moon stays",
     .targets = UM_TARGET_GLOBAL,
     .on_by_default = 1,
     .switch_off = switch_off,

@@ -42,8 +42,9 @@ static double share(const struct um_environment *e, double radius, double depth,
   return um_environment_scattered_at(&out, wavelength);
 }
 
-/* Air and ozone alone, not bent. 2 % are Bates' depth of air and 2 % lines between wavelengths in
- * the bands of ozone; the rest is the tables'. */
+/* Air and ozone alone, not bent. Tables of logarithms of what is concave, with straight lines
+ * between nodes, lie below it, most in the bands of ozone and where the Sun is low: ours is the
+ * smaller, by 6 % at most. */
 static void test_as_sasktran2(void **state)
 {
   (void)state;
@@ -62,7 +63,7 @@ static void test_as_sasktran2(void **state)
     double theirs = reference_number(context, csv, i, "share");
     double ours = share(&e, RADIUS, depth, 0.0, nm * 1e-9);
     print_message("%g deg, %g nm: %.3e, sasktran2 %.3e\n", depth, nm, ours, theirs);
-    check_near("share of sunlight", ours, theirs, 0.06 * theirs);
+    check_near("share of sunlight", ours, 0.97 * theirs, 0.035 * theirs);
   }
   um_core_csv_destroy(&csv);
   um_core_free(context, scatter);
