@@ -1,6 +1,6 @@
 /* Moonlight: E(lambda) = A(g, lambda) (R/d)^2 (1 au/D)^2 E_sun(lambda) on the satellite
- * (environment/moonlight.c), reflected once, through lobes and diffuse parts. In the umbra of a low
- * orbit nothing else lights a satellite in VIS. */
+ * (environment/moonlight.c), reflected once, through lobes and diffuse parts. Deep in the umbra of
+ * a low orbit nothing else lights a satellite in VIS. */
 #include "effects/list_impl.h"
 
 UM_EFFECT_SWITCH(switch_off, environment->moonlight_on = false)

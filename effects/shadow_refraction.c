@@ -11,10 +11,8 @@ const struct um_effect um_effects_shadow_refraction = {
     .name = "shadow_refraction",
     .summary = "The Earth's air bends, spreads and dims the sunlight at the edge of the shadow",
     .reference = "Link 1969, Eclipse Phenomena in Astronomy; Mallama 2021, arXiv 2112.08310",
-    .validity =
-        "standard air, ozone, aerosols and clouds as environment.shadow_air states; round "
-        "shadow and a disc; light and heat, heat by the mean over the solar spectrum; light "
-        "that air scatters into the shadow is left out",
+    .validity = "standard air, ozone, aerosols and clouds as environment.shadow_air states; round "
+                "shadow and a disc; light and heat, heat by the mean over the solar spectrum",
     .separated_by = "shadow_radius, oblateness and time_tag: two bands, for the blue one is dimmed "
                     "earlier than the red; light below 1e-3 that lasts into the umbra",
     .targets = UM_TARGET_GLOBAL,

@@ -30,6 +30,7 @@ void um_environment_defaults(struct um_environment *out)
       .disc = UM_DISC_LIMB_DARKENED,
       .limb_darkening = 0.6, /* at 550 nm, Neckel & Labs 1994, Solar Physics 153:91 */
       .shadow_refraction_on = true,
+      .umbra_scatter_on = true,
       .air_factor = 1.0,
       .ozone_dobson = NAN,
       .ozone_factor = 1.0,

@@ -14,6 +14,7 @@
 
 struct um_environment_limb;
 struct um_environment_daylight;
+struct um_environment_umbra_scatter;
 
 enum um_environment_spectrum { UM_SPECTRUM_E490, UM_SPECTRUM_BLACK_BODY };
 enum um_environment_shadow {
@@ -54,6 +55,10 @@ struct um_environment {
   /* the Earth's air before the Sun (shadow_light.h); limb is borrowed, never written; NULL: none */
   bool shadow_refraction_on;
   const struct um_environment_limb *limb;
+  /* sunlight that the air scatters into the shadow (umbra_scatter.h), in the optics; borrowed,
+   * never written; NULL: none */
+  bool umbra_scatter_on;
+  const struct um_environment_umbra_scatter *umbra_scatter;
   double air_factor;   /* of the air's depth, not of its refraction [1] */
   double ozone_dobson; /* vertical column [Dobson units]; NaN: by latitude (limb_profile.h) */
   double ozone_factor; /* of it [1] */

@@ -23,8 +23,8 @@
  * of each cell is taken at two q, and a straight line between. The rest changes less.
  *
  * The limb is round: across the disc it falls off by eta^2/2 cot(theta), eta the angle along it, in
- * the mean of a chord (a^2 - v^2)/6 cot(theta). Light that air scatters into the shadow is left
- * out. */
+ * the mean of a chord (a^2 - v^2)/6 cot(theta). Light that air scatters into the shadow is that
+ * of umbra_scatter.c. */
 #include "environment/shadow_light.h"
 
 #include <math.h>
@@ -135,10 +135,9 @@ static void add_depths(const struct um_environment_limb *limb, const struct plac
   }
 }
 
-/* Share of rays of a lowest height that neither ground nor clouds hide. */
-static double clear(const struct place *place, double height)
+double um_environment_limb_clear(double cloud_top, double height)
 {
-  return height < 0.0 ? 0.0 : 0.5 * erfc((place->cloud_top - height) / (sqrt(2.0) * CLOUD_SPREAD));
+  return height < 0.0 ? 0.0 : 0.5 * erfc((cloud_top - height) / (sqrt(2.0) * CLOUD_SPREAD));
 }
 
 /* Rays of a cell of impact heights: apparent and true angles above the limb at its ends, and the
@@ -171,7 +170,8 @@ static void add_cell(const struct um_environment *environment, const struct edge
   double x[2], least = light_of(e, &cell[0], &x[0]), most = light_of(e, &cell[1], &x[1]);
   if (!(least + most > 0.0)) return;
   double at = (least * x[0] + most * x[1]) / (least + most);
-  double sight = clear(place, height[k - 1] + at * (height[k] - height[k - 1]));
+  double lowest = height[k - 1] + at * (height[k] - height[k - 1]);
+  double sight = um_environment_limb_clear(place->cloud_top, lowest);
   if (!(sight > 0.0)) return;
   double slope = (most - least) / (MOST_BENT - LEAST_BENT);
   out->share[out->count] = sight * (least + slope * (1.0 - LEAST_BENT));

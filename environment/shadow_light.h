@@ -19,6 +19,10 @@ struct um_environment_limb {
 void um_environment_limb_make(const struct um_environment *environment,
                               struct um_environment_limb *out);
 
+/* Share of rays of a lowest height that neither the ground nor clouds of these tops hide, both [m]
+ * [1]. */
+double um_environment_limb_clear(double cloud_top, double height);
+
 /* The light of the Sun at one place: bundles of rays by the height at which they pass. */
 struct um_environment_shadow_light {
   double

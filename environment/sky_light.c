@@ -54,7 +54,7 @@ double um_environment_sky_rayleigh(double cosine)
   return 3.0 / (16.0 * UM_PI * (1.0 + 2.0 * g)) * (1.0 + 3.0 * g + (1.0 - g) * cosine * cosine);
 }
 
-static double henyey_greenstein(double cosine)
+double um_environment_sky_aerosol(double cosine)
 {
   const double g = UM_SKY_AEROSOL_ASYMMETRY;
   return (1.0 - g * g) / (4.0 * UM_PI) * pow(1.0 + g * g - 2.0 * g * cosine, -1.5);
@@ -178,7 +178,7 @@ double um_environment_sky_path_radiance(const struct um_environment_sky_path *pa
   size_t k = more ? place_of(path->light, wavelength, &share) : 0;
   um_environment_sky_depths(path->amount, path->angstrom, wavelength, depth);
   double air = um_environment_sky_rayleigh(path->cosine);
-  double aerosol = henyey_greenstein(path->cosine);
+  double aerosol = um_environment_sky_aerosol(path->cosine);
   for (int i = 0; i < UM_SKY_LIGHT_POINTS; i++) {
     double tau = 0.0, lamp = 0.0, own = 0.0, source = 0.0;
     for (int c = 0; c < UM_LIMB_CONSTITUENTS; c++) {

@@ -18,6 +18,8 @@ void um_environment_sky_depths(const double amount[UM_LIMB_CONSTITUENTS], double
 
 /* Phase function of air [1/sr], 1/(4 pi) in the mean. */
 double um_environment_sky_rayleigh(double cosine);
+/* The same of aerosol. */
+double um_environment_sky_aerosol(double cosine);
 
 /* Wavelengths of the table [m]. */
 extern const double um_environment_sky_wavelengths[UM_SKY_LIGHT_WAVELENGTHS];

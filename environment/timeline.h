@@ -12,6 +12,8 @@ struct um_environment_sample {
   struct um_vec3 pole;      /* Earth's pole, unit, GCRS [1] */
   struct um_vec3 greenwich; /* where prime meridian and equator meet, unit, GCRS [1] */
   double sunlit_fraction;   /* [1] */
+  double scattered; /* share of sunlight at 0.55 um that the air scatters into the shadow, 0: none
+                       that is lit by it (umbra_scatter.h) [1] */
   /* Geometric unit vector, satellite to Moon, GCRS, and distance [m]; zero where the Moon lights
    * nothing that is seen (um_environment_moon_place) */
   struct um_vec3 moon;        /* [1] */

@@ -113,6 +113,7 @@ static void destroy_owned(struct um_context *context, struct um_model *m)
   if (m->sky_table != of->sky_table) um_environment_sky_table_destroy(context, &m->sky_table);
   if (m->blocked != of->blocked) um_core_free(context, m->blocked);
   if (m->limb != of->limb) um_core_free(context, m->limb);
+  if (m->umbra_scatter != of->umbra_scatter) um_core_free(context, m->umbra_scatter);
   if (m->daylight != of->daylight) um_core_free(context, m->daylight);
   if (m->sky_light != of->sky_light) um_core_free(context, m->sky_light);
   if (m->registry != of->registry) um_effects_registry_destroy(context, &m->registry);

@@ -8,6 +8,7 @@
 #include "environment/map.h"
 #include "environment/shadow_light.h"
 #include "environment/sky_table.h"
+#include "environment/umbra_scatter.h"
 #include "model/build/effects_group.h"
 #include "model/build/messages_group.h"
 
@@ -133,6 +134,22 @@ static enum um_status build_limb(struct um_context *context, struct um_model *mo
   return UM_OK;
 }
 
+/* What the limb's air scatters into the shadow; a variant of the same air has it of its origin. */
+static enum um_status build_umbra_scatter(struct um_context *context, struct um_model *model)
+{
+  struct um_environment *e = &model->environment;
+  const struct um_model *of = model->origin;
+  bool round = e->shadow == UM_SHADOW_SPHERE || e->shadow == UM_SHADOW_OBLATE;
+  if (!e->umbra_scatter_on || !round) return UM_OK;
+  if (of != NULL && of->umbra_scatter != NULL && of->limb == model->limb &&
+      um_environment_umbra_scatter_is_of(of->umbra_scatter, e))
+    model->umbra_scatter = of->umbra_scatter;
+  else
+    UM_TRY(um_environment_umbra_scatter_make(context, e, &model->umbra_scatter));
+  e->umbra_scatter = model->umbra_scatter;
+  return UM_OK;
+}
+
 /* What the sunlit Earth reflects by angle; one for all scenarios, made where it is read. */
 static enum um_status build_daylight(struct um_context *context, struct um_model *model)
 {
@@ -164,5 +181,6 @@ enum um_status um_model_build_environment(struct um_context *context, struct um_
     if (use.effect->hooks.sky != NULL)
       UM_TRY(use.effect->hooks.sky(context, &use, &model->environment.sky));
   }
+  UM_TRY(build_umbra_scatter(context, model));
   return build_daylight(context, model);
 }

@@ -122,6 +122,8 @@ struct um_model {
                                                  borrows that of its origin */
   struct um_environment_sky_table *sky_table; /* of observer.air.file, likewise */
   struct um_environment_limb *limb; /* the Earth's air before the Sun; of the origin likewise */
+  struct um_environment_umbra_scatter *umbra_scatter; /* what that air scatters into the shadow;
+                                                         NULL: none, of the origin likewise */
   struct um_environment_daylight *daylight; /* what the Earth reflects by angle; NULL: none, of the
                                                origin likewise */
   struct um_environment_sky_light *sky_light; /* what the air above the station scatters; of the

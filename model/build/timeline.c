@@ -5,6 +5,7 @@
 
 #include "base/core/constants.h"
 #include "environment/moonlight.h"
+#include "environment/umbra_scatter.h"
 #include "model/build/effects_group.h"
 #include "orbit/sun.h"
 
@@ -42,6 +43,10 @@ static void light_of(const struct um_model *model, struct um_environment_sample 
   s->greenwich = greenwich_at(model, s->t_tai);
   s->sunlit_fraction =
       um_environment_sunlit_fraction(&model->environment, s->r, s->sun, s->sun_distance, s->pole);
+  struct um_environment_scattered scattered;
+  um_environment_umbra_scattered(&model->environment, s->r, s->sun, s->sun_distance, s->pole,
+                                 s->sunlit_fraction, &scattered);
+  s->scattered = um_environment_scattered_at(&scattered, UM_UMBRA_SCATTER_ASKED);
 }
 
 static struct um_orbit_attitude_input input_of(const struct um_model *model,

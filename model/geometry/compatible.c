@@ -62,12 +62,14 @@ static bool same_limb(const struct um_environment_limb *a, const struct um_envir
 /* The same air at the edge of the shadow. */
 static bool same_air(const struct um_environment *a, const struct um_environment *b)
 {
-  if (a->shadow_refraction_on != b->shadow_refraction_on) return false;
-  return !a->shadow_refraction_on ||
-         (a->air_factor == b->air_factor && same_number(a->ozone_dobson, b->ozone_dobson) &&
-          a->ozone_factor == b->ozone_factor && a->haze == b->haze && a->aerosol == b->aerosol &&
-          same_number(a->cloud_top, b->cloud_top) && a->cloud_shift == b->cloud_shift &&
-          same_limb(a->limb, b->limb));
+  if (a->shadow_refraction_on != b->shadow_refraction_on ||
+      a->umbra_scatter_on != b->umbra_scatter_on)
+    return false;
+  if (!a->shadow_refraction_on && !a->umbra_scatter_on) return true;
+  return a->air_factor == b->air_factor && same_number(a->ozone_dobson, b->ozone_dobson) &&
+         a->ozone_factor == b->ozone_factor && a->haze == b->haze && a->aerosol == b->aerosol &&
+         same_number(a->cloud_top, b->cloud_top) && a->cloud_shift == b->cloud_shift &&
+         same_limb(a->limb, b->limb);
 }
 
 /* The same light but for its levels. Members of the environment that are neither here nor levels

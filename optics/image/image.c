@@ -56,7 +56,7 @@ static enum um_status render_begin(struct um_context *context, struct render *r)
   frame->mesh = um_geometry_mesh(scene->geometry);
   frame->posed = &r->scenes->posed[0];
   frame->now = um_optics_instant(scene, r->time);
-  if (!frame->now.lamp.shines) um_optics_instant_moon(scene, &frame->now);
+  if (um_optics_moon_is_brighter(scene, &frame->now)) um_optics_instant_moon(scene, &frame->now);
   frame->samples = samples;
   UM_TRY(um_optics_camera_create(context, width, r->options->up_gcrs, frame->mesh,
                                  frame->posed->pose, sample->q, frame->now.observer_body,

@@ -68,7 +68,7 @@ enum um_status um_optics_surface_radiance(struct um_context *context,
   frame.mesh = um_geometry_mesh(scene->geometry);
   frame.posed = &scenes->posed[0];
   frame.now = um_optics_instant(scene, time);
-  if (!frame.now.lamp.shines) um_optics_instant_moon(scene, &frame.now);
+  if (um_optics_moon_is_brighter(scene, &frame.now)) um_optics_instant_moon(scene, &frame.now);
   UM_CHECK(
       name_seen(context, view->seen + view_time * view->nsurface, view->nsurface, image, &seen));
   UM_CHECK(um_optics_image_spectra(context, scene, time, bands, nband, &frame, seen, image));

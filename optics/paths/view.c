@@ -142,7 +142,8 @@ static void trace_time(const struct um_geometry_mesh *mesh,
     turn_to(mesh, posed, o, moon, row, &view->moon);
     trace_lamp(posed, o, moon, um_environment_moon_radius(sample->moon_distance), time, row,
                scratch, view, &view->moon);
-    if (!(sample->sunlit_fraction > 0.0)) return; /* a Sun that does not shine needs no rays */
+    if (!(sample->sunlit_fraction > 0.0 || sample->scattered > 0.0))
+      return; /* a Sun that does not shine needs no rays */
   }
   trace_lamp(posed, o, sun, asin(UM_SOLAR_RADIUS / sample->sun_distance), time, time, scratch, view,
              &view->sun);

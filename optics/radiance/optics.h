@@ -5,6 +5,7 @@
 #include "environment/environment.h"
 #include "environment/moonlight.h"
 #include "environment/timeline.h"
+#include "environment/umbra_scatter.h"
 #include "geometry/visibility.h"
 #include "materials/materials.h"
 
@@ -26,8 +27,10 @@ static inline double um_optics_band_edge(const struct um_optics_band *band, int 
 /* Sunlight at an instant: what distance, shadow and the Earth's air leave of it. */
 struct um_optics_sunlight {
   double share;  /* sunlit fraction (1 au / d)^2 [1] */
+  double near;   /* (1 au / d)^2 [1] */
   double sunlit; /* fraction of the disc [1] */
   struct um_environment_shadow_light air;
+  struct um_environment_scattered scattered; /* by the air, into the shadow */
 };
 void um_optics_sunlight_at(const struct um_environment *environment,
                            const struct um_environment_sample *sample,

@@ -2,7 +2,8 @@
  * docs/physics/roughness-and-lobes.md and docs/physics/earthlight.md):
  *
  *   lamp     E_sun(lambda) nu(lambda) (au/d)^2 f_r(i, o) cos_i, f_r of materials.h, nu what shadow
- *            and air leave of the Sun (environment/shadow_light.h)
+ *            and air leave of the Sun (environment/shadow_light.h), and what air scatters into the
+ *            shadow (environment/umbra_scatter.h)
  *   earth    rho_d(lambda)/pi E_albedo E_sun(lambda)/E_sun + (1 - eps(cos_o)) F_earth B(T_b), of
  *            which the lobe's part, wherever F is above 0, is what the lobe sees of the Earth
  *            (earth_lobe.c)
@@ -50,7 +51,8 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.sun_radius = asin(UM_SOLAR_RADIUS / sample->sun_distance);
   double relative = UM_AU / sample->sun_distance;
   now.sun = sample->sunlit_fraction * relative * relative;
-  now.lamp = lamp_of(UM_LAMP_SUN, now.observer_body, now.sun_body, now.sun_radius, now.sun > 0.0);
+  now.lamp = lamp_of(UM_LAMP_SUN, now.observer_body, now.sun_body, now.sun_radius,
+                     now.sun > 0.0 || sample->scattered > 0.0);
   const struct um_environment *environment = scene->environment;
   now.earthshine = environment->earthshine_on ? environment->earthshine_factor : 0.0;
   now.earth_reflection =
@@ -59,6 +61,17 @@ struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, 
   now.sunlight_only = scene->sunlight_only;
   um_optics_instant_earth(environment, sample, &now);
   return now;
+}
+
+bool um_optics_moon_is_brighter(const struct um_optics_scene *scene,
+                                const struct um_optics_instant *now)
+{
+  const struct um_environment_sample *sample = &scene->samples[now->time];
+  struct um_environment_moonlight moon;
+  if (!now->lamp.shines) return true;
+  if (now->sun > 0.0 || !(sample->moon_distance > 0.0)) return false;
+  um_environment_moonlight(scene->environment, sample, &moon);
+  return um_environment_moonlight_at(&moon, UM_UMBRA_SCATTER_ASKED) > sample->scattered;
 }
 
 static enum um_status work_fill(struct um_context *context, const struct um_optics_spectra *spectra,
@@ -147,7 +160,12 @@ void um_optics_sunlight_at(const struct um_environment *environment,
   double relative = UM_AU / sample->sun_distance;
   out->sunlit = sample->sunlit_fraction;
   out->share = sample->sunlit_fraction * relative * relative;
+  out->near = relative * relative;
   out->air.count = 0;
+  out->scattered.any = false;
+  if (sample->scattered > 0.0)
+    um_environment_umbra_scattered(environment, sample->r, sample->sun, sample->sun_distance,
+                                   sample->pole, sample->sunlit_fraction, &out->scattered);
   if (environment->limb != NULL && out->share > 0.0)
     um_environment_shadow_light(environment, sample->r, sample->sun, sample->sun_distance,
                                 sample->pole, &out->air);
@@ -158,6 +176,8 @@ double um_optics_sunlight(const struct um_optics_sunlight *light, double solar, 
   double out = light->share * solar;
   if (light->air.count > 0)
     out *= um_environment_shadow_light_at(&light->air, wavelength) / light->sunlit;
+  if (light->scattered.any)
+    out += light->near * solar * um_environment_scattered_at(&light->scattered, wavelength);
   return out;
 }
 

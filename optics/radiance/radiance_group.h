@@ -36,6 +36,9 @@ struct um_optics_instant {
   struct um_environment_earth_seen earth; /* where it varies; axes in the body frame */
 };
 struct um_optics_instant um_optics_instant(const struct um_optics_scene *scene, size_t time);
+/* Does the Moon of an instant give more light than its Sun, at 0.55 um? */
+bool um_optics_moon_is_brighter(const struct um_optics_scene *scene,
+                                const struct um_optics_instant *now);
 /* The same instant with the Moon for a lamp, which shines where the sample has one. */
 void um_optics_instant_moon(const struct um_optics_scene *scene, struct um_optics_instant *now);
 

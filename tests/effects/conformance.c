@@ -34,6 +34,7 @@ static const struct entry cases[] = {
     {"penumbra", NULL, 0.0, "bus", "a switch"},
     {"oblateness", NULL, 0.0, "bus", "a switch"},
     {"shadow_refraction", NULL, 0.0, "bus", "a switch"},
+    {"umbra_scatter", NULL, 0.0, "bus", "a switch"},
     {"atmosphere", NULL, 0.0, "bus", "a switch"},
     {"earth_map", NULL, 0.0, "bus", "a switch"},
     {"earth_spectrum", NULL, 0.0, "bus", "a switch"},

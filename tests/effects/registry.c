@@ -171,6 +171,7 @@ static void no_mutual(struct um_environment *e) { e->mutual_radiation_on = false
 static void no_solar_reflection(struct um_environment *e) { e->solar_reflection_on = false; }
 static void no_mirrors(struct um_environment *e) { e->specular_exchange_on = false; }
 static void no_passing_on(struct um_environment *e) { e->multiple_scattering_on = false; }
+static void no_scatter(struct um_environment *e) { e->umbra_scatter_on = false; }
 static void no_moon(struct um_environment *e) { e->moonlight_on = false; }
 static void no_light_between(struct um_environment *e) { e->inter_reflection_on = false; }
 
@@ -190,6 +191,7 @@ static void switches_change_one_field(void **state)
   check_switch("specular_exchange", no_mirrors);
   check_switch("multiple_scattering", no_passing_on);
   check_switch("inter_reflection", no_light_between);
+  check_switch("umbra_scatter", no_scatter);
   check_switch("moonlight", no_moon);
 }
 

@@ -115,7 +115,8 @@ static const struct {
                 {"specular_exchange", false, true},
                 {"multiple_scattering", true, false},
                 {"inter_reflection", false, true},
-                {"moonlight", true, false}};
+                {"moonlight", true, false},
+                {"umbra_scatter", true, false}};
 
 /* Two at once: what each does to the light should not be the other's. */
 static const struct {

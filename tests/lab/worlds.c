@@ -95,6 +95,14 @@ static const struct lab_world worlds[] = {
      .without = "moonlight",
      .set = {"time.start_utc=2026-03-04T22:37:30Z", "time.stop_utc=2026-03-04T22:49:54Z"}},
 
+    /* The umbra from behind its edge on, where the Moon is not up. */
+    {.name = "dusk-umbra_scatter",
+     .folder = "dusk",
+     .relative = 0.01,
+     .floor = 1e-3,
+     .without = "umbra_scatter",
+     .set = {"time.start_utc=2026-03-20T18:47:30Z", "time.stop_utc=2026-03-20T18:49:54Z"}},
+
     /* Rough metal, whose facets throw light at each other. */
     {.name = "dusk-multiple_scattering",
      DUSK,

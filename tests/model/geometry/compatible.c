@@ -169,7 +169,9 @@ static const struct um_environment every = {
     UM_DISC_LIMB_DARKENED,
     0.6, /* limb_darkening */
     true,
-    NULL,
+    NULL, /* limb */
+    true,
+    NULL, /* umbra_scatter */
     1.0,
     300.0,
     1.0,
@@ -240,6 +242,8 @@ static const struct {
     MEMBER(limb_darkening, ANOTHER),
     MEMBER(shadow_refraction_on, ANOTHER),
     MEMBER(limb, ANOTHER),
+    MEMBER(umbra_scatter_on, ANOTHER), /* rays to the Sun */
+    MEMBER(umbra_scatter, COMPATIBLE), /* of the air, whose members are here */
     MEMBER(air_factor, ANOTHER),
     MEMBER(ozone_dobson, ANOTHER),
     MEMBER(ozone_factor, ANOTHER),
