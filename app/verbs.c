@@ -108,7 +108,7 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra calibrate scenarios/flying-laptop stars.csv measured.csv --sensor ufo -o "
                  "calibrated.csv\n",
      .run = um_app_calibrate, .group = UM_APP_OBSERVE},
-    {"compare", "SCENARIO MEASURED...", "a scenario beside measurements: how far off, and when",
+    {"compare", "SCENARIO [MEASURED...]", "a scenario beside measurements: how far off, and when",
      .accepts = "out " CHANGES " " RESULTS,
      .about =
          "Metrics per channel and segment, residuals and what they correlate with, the worst "
@@ -137,7 +137,7 @@ static const struct um_app_verb verbs[] = {
                  "umbra sensitivity scenarios/hidden-effect/dawn --only emittance --what-if "
                  "emittance:mli,factor=1.1\n",
      .run = um_app_sensitivity, .group = UM_APP_EXPLORE},
-    {"diagnose", "SCENARIO MEASURED...",
+    {"diagnose", "SCENARIO [MEASURED...]",
      "which effect the scenario lacks, or that it cannot be told",
      .accepts = "out " CHANGES " only exclude nuisance level steps resume " RESULTS,
      .about =
@@ -149,7 +149,7 @@ static const struct um_app_verb verbs[] = {
      .examples = "umbra diagnose scenarios/hidden-effect/dawn measured.csv --nuisance "
                  "zero_point:lwir,sigma=0.05\n",
      .run = um_app_diagnose, .group = UM_APP_COMPARE},
-    {"fit", "SCENARIO MEASURED...", "parameters of chosen effects, fitted to measurements",
+    {"fit", "SCENARIO [MEASURED...]", "parameters of chosen effects, fitted to measurements",
      .needs = "add", .accepts = "out " CHANGES " nuisance resume " RESULTS,
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
@@ -272,7 +272,8 @@ static const struct um_app_verb verbs[] = {
 bool um_app_verb_takes_more(const struct um_app_verb *verb)
 {
   size_t n = strlen(verb->arguments);
-  return n > 3 && strcmp(verb->arguments + n - 3, "...") == 0;
+  if (n > 0 && verb->arguments[n - 1] == ']') n--;
+  return n > 3 && strncmp(verb->arguments + n - 3, "...", 3) == 0;
 }
 
 const char *um_app_verb_common(const struct um_app_verb *verb)

@@ -238,22 +238,47 @@ static enum um_status add_exclude(struct um_context *context, struct um_diagnosi
 
 /* ---- the scenario ---- */
 
+static enum um_status take_nuisance_of(struct um_context *context, const struct asked *asked,
+                                       struct um_diagnosis_request *r, const char *target,
+                                       const struct um_scenario_nuisance *n)
+{
+  if (n->free && !isnan(n->sigma))
+    return um_document_mark_fail(context, &n->at, "both sigma and free; accepted: one of them");
+  enum um_status status =
+      add_nuisance(context, asked, r, n->effect, target, n->free ? INFINITY : n->sigma, n->per);
+  if (status == UM_ERR_INPUT)
+    um_core_message_prefix(context, "%s:%d: %s", n->at.file, n->at.line, n->at.path);
+  return status;
+}
+
+/* Those that a set states for itself; of sets that are not measured here none. */
+static enum um_status take_set(struct um_context *context, const struct asked *asked,
+                               struct um_diagnosis_request *r, const struct um_scenario_set *set)
+{
+  const struct um_scenario_nuisance *nuisance = set->nuisance.items;
+  char text[512], *target;
+  if (asked->measurements == NULL ||
+      um_compare_set_find(asked->measurements, set->name) == UM_COMPARE_NOWHERE)
+    return UM_OK;
+  for (size_t i = 0; i < set->nuisance.count; i++) {
+    const char *of = nuisance[i].target;
+    snprintf(text, sizeof text, "%s@%s", of != NULL ? of : UM_EFFECTS_ALL, set->name);
+    UM_TRY(keep(context, r, text, &target));
+    UM_TRY(take_nuisance_of(context, asked, r, target, &nuisance[i]));
+  }
+  return UM_OK;
+}
+
 static enum um_status take_scenario(struct um_context *context, const struct asked *asked,
                                     struct um_diagnosis_request *r)
 {
   const struct um_scenario_measurements *from = asked->model->scenario->measurements;
   if (from == NULL) return UM_OK;
   const struct um_scenario_nuisance *nuisance = from->nuisance.items;
-  for (size_t i = 0; i < from->nuisance.count; i++) {
-    const struct um_scenario_nuisance *n = &nuisance[i];
-    if (n->free && !isnan(n->sigma))
-      return um_document_mark_fail(context, &n->at, "both sigma and free; accepted: one of them");
-    enum um_status status = add_nuisance(context, asked, r, n->effect, n->target,
-                                         n->free ? INFINITY : n->sigma, n->per);
-    if (status == UM_ERR_INPUT)
-      um_core_message_prefix(context, "%s:%d: %s", n->at.file, n->at.line, n->at.path);
-    UM_TRY(status);
-  }
+  for (size_t i = 0; i < from->nuisance.count; i++)
+    UM_TRY(take_nuisance_of(context, asked, r, nuisance[i].target, &nuisance[i]));
+  const struct um_scenario_set *set = from->sets.items;
+  for (size_t i = 0; i < from->sets.count; i++) UM_TRY(take_set(context, asked, r, &set[i]));
   const char *const *exclude = from->exclude.items;
   for (size_t i = 0; i < from->exclude.count; i++) UM_TRY(add_exclude(context, r, exclude[i]));
   return UM_OK;

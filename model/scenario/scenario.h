@@ -407,8 +407,16 @@ struct um_scenario_nuisance {
   bool free;    /* no prior */
   const char *per;
 };
+/* A file of measurements and what is known of it alone. */
+struct um_scenario_set {
+  struct um_mark at;
+  const char *name, *file;
+  double from, to;                /* rows used, t_tai [s]; NaN: all */
+  struct um_schema_list nuisance; /* of struct um_scenario_nuisance */
+};
 struct um_scenario_measurements {
   struct um_mark at;
+  struct um_schema_list sets;     /* of struct um_scenario_set */
   struct um_schema_list noise;    /* of struct um_scenario_noise */
   struct um_schema_list nuisance; /* of struct um_scenario_nuisance */
   struct um_schema_list exclude;  /* of const char * */

@@ -40,8 +40,23 @@ static const struct um_schema_field nuisance_fields[] = {
 OBJECT(nuisance_object, struct um_scenario_nuisance, "nuisance",
        "An effect that is uncertain anyway: a diagnosis fits it along and never names it.",
        FIELDS(nuisance_fields));
+#define OF struct um_scenario_set
+static const struct um_schema_field set_fields[] = {
+    F(name, UM_SCHEMA_TEXT, NAME, REQUIRED,
+      HELP("what the set is called, as in zero_point:vis@NAME")),
+    F(file, UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED, HELP("measurements, see docs/files.md")),
+    F_AS(from, "from_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
+         HELP("rows before are left out; default: none are")),
+    F_AS(to, "to_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
+         HELP("rows behind are left out; default: none are")),
+    F(nuisance, UM_SCHEMA_LIST, MOST(1000), .object = &nuisance_object),
+};
+#undef OF
+OBJECT(set_object, struct um_scenario_set, "set",
+       "A file of measurements: a night, a telescope, a telemetry.", FIELDS(set_fields));
 #define OF struct um_scenario_measurements
 static const struct um_schema_field measurements_fields[] = {
+    F(sets, UM_SCHEMA_LIST, MOST(1000), .object = &set_object),
     F(noise, UM_SCHEMA_LIST, MOST(1000), .object = &noise_object),
     F(nuisance, UM_SCHEMA_LIST, MOST(1000), .object = &nuisance_object),
     F(exclude, UM_SCHEMA_TEXTS, MOST(1000), NAME,

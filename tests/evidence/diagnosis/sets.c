@@ -7,6 +7,8 @@
 #include "effects/effects.h"
 #include "evidence/diagnosis/diagnose.h"
 #include "evidence/diagnosis/request.h"
+#include "evidence/measurements/listed.h"
+#include "evidence/measurements/write.h"
 
 static size_t evaluate(const struct um_compare_measurements *m,
                        const struct um_model_addition *addition, double *value)
@@ -96,6 +98,83 @@ static void nuisances_are_of_sets(void **state)
   um_compare_measurements_destroy(context, &both);
 }
 
+static const char listed[] =
+    "measurements:\n"
+    "  sets:\n"
+    "    - {name: dawn, file: sets_early.csv, nuisance: [{effect: zero_point, target: vis, sigma: "
+    "0.3}]}\n"
+    "    - {name: dusk, file: sets_late.csv, from_utc: 2026-03-02T00:01:00Z, to_utc: "
+    "2026-03-02T00:05:00Z,\n"
+    "       nuisance: [{effect: time_tag, free: true}]}\n"
+    "  nuisance: [{effect: zero_point, target: vis, sigma: 0.1}]\n";
+
+/* What um_compare_measurements_listed makes of a scenario with these lines behind it. */
+static enum um_status list(const char *lines, struct um_model **model,
+                           struct um_compare_measurements **out)
+{
+  char text[sizeof scenario + 1024];
+  snprintf(text, sizeof text, "%s%s", scenario, lines);
+  const struct um_model_options options = {.text = text};
+  OK(um_model_create(context, path, &options, model));
+  um_core_message_clear(context);
+  return um_compare_measurements_listed(context, (*model)->scenario, out);
+}
+
+static void a_scenario_lists_its_sets(void **state)
+{
+  (void)state;
+  struct um_compare_measurements *alone[2], *both, *m;
+  struct um_model *model;
+  struct um_diagnosis_request r;
+  measure_both(NULL, alone, &both);
+  OK(um_compare_measurements_write(context, alone[0], "sets_early.csv"));
+  OK(um_compare_measurements_write(context, alone[1], "sets_late.csv"));
+  if (list(listed, &model, &m) != UM_OK) fail_msg("%s", um_core_message(context));
+  assert_int_equal(m->nfile, 2);
+  assert_string_equal(m->channel[1].label, "lwir@dawn");
+  assert_string_equal(m->channel[2].label, "vis@dusk");
+  for (size_t i = 0; i < m->count; i++) { /* rows 30 s apart from the start, the bands of a time */
+    size_t k = i % (2 * ROWS) / 2;
+    assert_true(m->row[i].value == both->row[i].value);
+    assert_int_equal(m->row[i].flag, i >= 2 * ROWS && (k < 2 || k > 10));
+  }
+  const struct um_diagnosis_request_texts texts = {.measurements = m};
+  OK(um_diagnosis_request_make(context, model, &texts, &r));
+  assert_int_equal(r.nnuisance, 3); /* a set's own goes before that of all */
+  assert_string_equal(r.nuisance[0].target, "vis@dawn");
+  assert_true(r.nuisance[0].sigma == 0.3);
+  assert_string_equal(r.nuisance[1].target, "vis@dusk");
+  assert_true(r.nuisance[1].sigma == 0.1);
+  assert_string_equal(r.nuisance[2].target, "all@dusk");
+  assert_true(isinf(r.nuisance[2].sigma));
+  um_diagnosis_request_release(context, &r);
+  um_compare_measurements_destroy(context, &m);
+  um_model_destroy(context, &model);
+  static const struct {
+    const char *lines, *says;
+  } refused[] = {
+      {"", "no measurements; accepted: files of them behind the scenario, or measurements.sets"},
+      {"measurements: {sets: [{name: a@b, file: sets_late.csv}]}\n", "'a@b' has an '@'"},
+      {"measurements: {sets: [{name: a, file: sets_late.csv}, {name: a, file: sets_early.csv}]}\n",
+       "'a' is already listed on line"},
+      {"measurements: {sets: [{name: a, file: sets_late.csv, to_utc: 2026-03-01T00:00:00Z}]}\n",
+       "no row of sets_late.csv is left"},
+      {"measurements: {sets: [{name: a, file: sets_late.csv, from_utc: 2026-03-02T00:00:00Z, "
+       "to_utc: 2026-03-01T00:00:00Z}]}\n",
+       "before from_utc"},
+  };
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    assert_int_equal(list(refused[i].lines, &model, &m), UM_ERR_INPUT);
+    if (strstr(um_core_message(context), refused[i].says) == NULL)
+      fail_msg("case %zu said: %s", i, um_core_message(context));
+    um_model_destroy(context, &model);
+  }
+  for (size_t p = 0; p < 2; p++) um_compare_measurements_destroy(context, &alone[p]);
+  um_compare_measurements_destroy(context, &both);
+  assert_int_equal(remove("sets_early.csv"), 0);
+  assert_int_equal(remove("sets_late.csv"), 0);
+}
+
 /* A diagnosis with the effects that look most alike; calibration: with a zero point, too, which a
  * white box cannot be told from warmth by. */
 struct diagnosed {
@@ -173,6 +252,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(sets_are_one_file),
                                      cmocka_unit_test(nuisances_are_of_sets),
+                                     cmocka_unit_test(a_scenario_lists_its_sets),
                                      cmocka_unit_test(two_passes_tell_power_from_stored_heat),
                                      cmocka_unit_test(a_set_that_is_off_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
