@@ -277,7 +277,9 @@ void um_environment_umbra_scattered(const struct um_environment *environment, st
 {
   double sum[WAVES] = {0.0};
   out->any = false;
-  if (!environment->umbra_scatter_on || environment->umbra_scatter == NULL || !(lit < 1.0)) return;
+  if (!environment->shadow_refraction_on || !environment->umbra_scatter_on ||
+      environment->umbra_scatter == NULL || !(lit < 1.0))
+    return;
   struct um_environment_limb_sight sight =
       um_environment_limb_sight(environment, r, sun, distance, pole);
   double delta = -sight.angle, psi = 0.5 * UM_PI - sight.nadir;

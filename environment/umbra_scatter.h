@@ -46,9 +46,9 @@ struct um_environment_scattered {
 };
 /* Arguments of um_environment_sunlit_fraction. Its result is the irradiance on a surface that faces
  * the Sun, over that of the unshadowed Sun; with lit, the share of sunlight that arrives there, it
- * is times 1 - lit, so that it ends where the shadow does. None without environment->umbra_scatter.
- * Light scattered once; docs/physics/shadow.md has what holds it. Test:
- * environment/umbra_scatter. */
+ * is times 1 - lit, so that it ends where the shadow does. None without environment->umbra_scatter,
+ * nor without the air that shadow_refraction stands for. Light scattered once;
+ * docs/physics/shadow.md has what holds it. Test: environment/umbra_scatter. */
 void um_environment_umbra_scattered(const struct um_environment *environment, struct um_vec3 r,
                                     struct um_vec3 sun, double distance, struct um_vec3 pole,
                                     double lit, struct um_environment_scattered *out);
