@@ -20,7 +20,8 @@
 
 /* Lines of sight over the limb of one air; never written afterwards. */
 struct um_environment_umbra_scatter {
-  double amount[4], cloud_top; /* what it was made of: of each constituent, and [m] */
+  /* what it was made of: of each constituent, [m], and of the shadow [m] */
+  double amount[4], cloud_top, radius;
   /* ln of the radiance that light scattered once has over the lamp's irradiance, without its phase
    * function, summed over tangent heights [m]: by zenith angle of the Sun at the tangent point and
    * by the cosine of the azimuth of the line of sight from it */
