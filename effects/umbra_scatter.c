@@ -12,7 +12,8 @@ const struct um_effect um_effects_umbra_scatter = {
     .summary = "The Earth's air scatters sunlight into the umbra, where it lights the satellite",
     .reference = "Rozenberg 1966, Twilight; sasktran2, University of Saskatchewan",
     .validity =
-        "while it is 1e-8 of sunlight or more, the Sun down to 13 deg below the limb; 0.30-2.0 um; "
+        "while shadow_refraction is on, and it is 1e-8 of sunlight or more, the Sun down to 13 deg "
+        "below the limb; 0.30-2.0 um; "
         "standard air with ozone, aerosols and clouds as environment.shadow_air states, of middle "
         "latitudes where it states none; scattered once (more often: 2 to 8 %); aerosol by an "
         "asymmetry of 0.70, a factor of 2 of its part; comes from where the Sun stands, "

@@ -77,7 +77,7 @@ bool um_environment_umbra_scatter_is_of(const struct um_environment_umbra_scatte
   amounts_of(environment, amount, &cloud_top);
   for (int c = 0; c < UM_LIMB_CONSTITUENTS; c++)
     if (!(amount[c] == scatter->amount[c])) return false;
-  return cloud_top == scatter->cloud_top;
+  return cloud_top == scatter->cloud_top && environment->shadow_radius == scatter->radius;
 }
 
 /* --- lines of sight ------------------------------------------------------------------------- */
@@ -226,6 +226,7 @@ enum um_status um_environment_umbra_scatter_make(struct um_context *context,
   UM_CHECK(um_core_allocate(context, 1, sizeof *w, &w));
   struct um_environment_umbra_scatter *to = *out;
   amounts_of(environment, to->amount, &to->cloud_top);
+  to->radius = environment->shadow_radius;
   um_environment_slant_make(&environment->limb->bent[UM_LIMB_MIDDLE], environment->shadow_radius,
                             &w->slant);
   for (int l = 0; l < WAVES; l++) {
@@ -277,7 +278,9 @@ void um_environment_umbra_scattered(const struct um_environment *environment, st
 {
   double sum[WAVES] = {0.0};
   out->any = false;
-  if (!environment->umbra_scatter_on || environment->umbra_scatter == NULL || !(lit < 1.0)) return;
+  if (!environment->shadow_refraction_on || !environment->umbra_scatter_on ||
+      environment->umbra_scatter == NULL || !(lit < 1.0))
+    return;
   struct um_environment_limb_sight sight =
       um_environment_limb_sight(environment, r, sun, distance, pole);
   double delta = -sight.angle, psi = 0.5 * UM_PI - sight.nadir;

@@ -20,7 +20,8 @@
 
 /* Lines of sight over the limb of one air; never written afterwards. */
 struct um_environment_umbra_scatter {
-  double amount[4], cloud_top; /* what it was made of: of each constituent, and [m] */
+  /* what it was made of: of each constituent, [m], and of the shadow [m] */
+  double amount[4], cloud_top, radius;
   /* ln of the radiance that light scattered once has over the lamp's irradiance, without its phase
    * function, summed over tangent heights [m]: by zenith angle of the Sun at the tangent point and
    * by the cosine of the azimuth of the line of sight from it */
@@ -46,9 +47,9 @@ struct um_environment_scattered {
 };
 /* Arguments of um_environment_sunlit_fraction. Its result is the irradiance on a surface that faces
  * the Sun, over that of the unshadowed Sun; with lit, the share of sunlight that arrives there, it
- * is times 1 - lit, so that it ends where the shadow does. None without environment->umbra_scatter.
- * Light scattered once; docs/physics/shadow.md has what holds it. Test:
- * environment/umbra_scatter. */
+ * is times 1 - lit, so that it ends where the shadow does. None without environment->umbra_scatter,
+ * nor without the air that shadow_refraction stands for. Light scattered once;
+ * docs/physics/shadow.md has what holds it. Test: environment/umbra_scatter. */
 void um_environment_umbra_scattered(const struct um_environment *environment, struct um_vec3 r,
                                     struct um_vec3 sun, double distance, struct um_vec3 pole,
                                     double lit, struct um_environment_scattered *out);

@@ -140,7 +140,7 @@ static enum um_status build_umbra_scatter(struct um_context *context, struct um_
   struct um_environment *e = &model->environment;
   const struct um_model *of = model->origin;
   bool round = e->shadow == UM_SHADOW_SPHERE || e->shadow == UM_SHADOW_OBLATE;
-  if (!e->umbra_scatter_on || !round) return UM_OK;
+  if (!e->shadow_refraction_on || !e->umbra_scatter_on || !round) return UM_OK;
   if (of != NULL && of->umbra_scatter != NULL && of->limb == model->limb &&
       um_environment_umbra_scatter_is_of(of->umbra_scatter, e))
     model->umbra_scatter = of->umbra_scatter;

@@ -104,6 +104,11 @@ static void test_what_the_air_holds(void **state)
   other.aerosol = 0.02;
   assert_true(um_environment_umbra_scatter_is_of(scatter, &e));
   assert_false(um_environment_umbra_scatter_is_of(scatter, &other));
+  other = e;
+  other.shadow_radius += 10e3;
+  assert_false(um_environment_umbra_scatter_is_of(scatter, &other));
+  other = e;
+  other.aerosol = 0.02;
   changed = made(&other);
   assert_true(share(&other, RADIUS, 2.0, 0.0, 0.88e-6) >
               1.2 * share(&e, RADIUS, 2.0, 0.0, 0.88e-6));
