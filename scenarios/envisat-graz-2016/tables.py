@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs what the tables of this page and of envisat-paper's stand for, and prints them as Markdown.
 
-  python3 scenarios/envisat-graz-2016/tables.py --keep runs            all of them: half an hour on two cores
+  python3 scenarios/envisat-graz-2016/tables.py --keep runs            all of them: an hour on two cores
   python3 scenarios/envisat-graz-2016/tables.py --keep runs inside     the table of the bus's inside
 
 Tables: shows, choices, contributions, inside, creases, air, paper, attitude, mesh. Runs that stand in the folder already are read, not made
