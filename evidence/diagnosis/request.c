@@ -103,11 +103,46 @@ static enum um_status check_set(struct um_context *context, const struct um_comp
                       um_core_words_hint(&guess, hint), accepted);
 }
 
+/* First and last time of a set [s TAI]. */
+static void span(const struct um_compare_measurements *m, size_t set, double out[2])
+{
+  out[0] = INFINITY;
+  out[1] = -INFINITY;
+  for (size_t i = 0; i < m->count; i++) {
+    if (m->row[i].set != set) continue;
+    out[0] = fmin(out[0], m->row[i].t_tai);
+    out[1] = fmax(out[1], m->row[i].t_tai);
+  }
+}
+
+/* Observations are followed in their order: a clock of its own for one of two sets that overlap
+ * would change it. */
+static enum um_status check_clocks(struct um_context *context,
+                                   const struct um_compare_measurements *m,
+                                   const struct um_effect *effect)
+{
+  double a[2], b[2];
+  if (effect->hooks.time == NULL && effect->hooks.exposure == NULL) return UM_OK;
+  for (size_t i = 0; i < m->nfile; i++)
+    for (size_t k = 0; k < i; k++) {
+      span(m, i, a);
+      span(m, k, b);
+      if (a[0] > b[1] || b[0] > a[1]) continue;
+      return um_core_fail(context, UM_ERR_INPUT,
+                          "'%s' of one set alone, while sets '%s' and '%s' overlap in time; "
+                          "accepted: one value for all sets (per=all)",
+                          effect->name, m->file[k].name, m->file[i].name);
+    }
+  return UM_OK;
+}
+
 static enum um_status check_target(struct um_context *context, const struct asked *asked,
                                    const struct um_effect *effect, const char *target)
 {
   UM_TRY(um_model_check_target(context, asked->model, effect, target));
-  return check_set(context, asked->measurements, effect, target);
+  UM_TRY(check_set(context, asked->measurements, effect, target));
+  bool of_one = asked->measurements != NULL && um_effects_set_of(effect, target) != NULL;
+  return of_one ? check_clocks(context, asked->measurements, effect) : UM_OK;
 }
 
 /* One value for all sets or, where the effect acts on what is measured, one in each. */
@@ -132,6 +167,7 @@ static enum um_status add_nuisance(struct um_context *context, const struct aske
                         effect->name);
   bool apart = several && own && um_effects_set_of(effect, target) == NULL &&
                !(per != NULL && strcmp(per, "all") == 0);
+  if (apart) UM_TRY(check_clocks(context, asked->measurements, effect));
   return apart ? put_in_sets(context, r, asked->measurements, &nuisance)
                : put_nuisance(context, r, &nuisance);
 }

@@ -22,8 +22,9 @@ struct um_diagnosis_request {
  * the place of an earlier. wanted: [nwanted] "effect[:target][,name=start]...", other parameters
  * NAN. exclude: [nexclude] "effect[:target]", copied behind the scenario's. UM_ERR_INPUT naming
  * file and line, or option and text: no such effect, a target that the effect cannot have or the
- * model has not, a set that the measurements have not, no such parameter, a number that is none or
- * out of range. The caller releases, also after a failure. */
+ * model has not, a set that the measurements have not, a clock or exposure of one set where sets
+ * overlap in time, no such parameter, a number that is none or out of range. The caller releases,
+ * also after a failure. */
 struct um_diagnosis_request_texts {
   const char *const *nuisance, *const *exclude, *const *wanted;
   size_t nnuisance, nexclude, nwanted;

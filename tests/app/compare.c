@@ -107,6 +107,43 @@ static void test_compare(void **state)
   command_release(&c);
 }
 
+/* Two files of the same instants: the rows of each are what they are alone, and the channels named
+ * by file, or as the scenario lists them. */
+static void test_sets(void **state)
+{
+  (void)state;
+  static const char column[][12] = {"model", "residual", "time_s"};
+  command_expect(0, SYNTH("a.csv", "--seed", "5"));
+  command_expect(0, SYNTH("b.csv", "--seed", "6"));
+  command_expect(0, "compare", "box.yaml", "b.csv", "--out", "alone", "--no-plots", NULL);
+  command_expect(0, "compare", "box.yaml", "a.csv", "b.csv", "--out", "both", "--no-plots", NULL);
+  struct table alone = table_read("alone/residuals.csv"), both = table_read("both/residuals.csv");
+  assert_int_equal(alone.nrow, 18);
+  assert_int_equal(both.nrow, 36);
+  for (size_t i = 0, k = 0; i < both.nrow; i++) {
+    char name[64];
+    if (strstr(table_text(&both, i, "of"), "@b") == NULL) continue;
+    snprintf(name, sizeof name, "%s@b", table_text(&alone, k, "of"));
+    assert_string_equal(table_text(&both, i, "of"), name);
+    for (size_t c = 0; c < sizeof column / sizeof column[0]; c++)
+      assert_string_equal(table_text(&both, i, column[c]), table_text(&alone, k, column[c]));
+    k++;
+  }
+  table_release(&alone);
+  table_release(&both);
+  struct command c =
+      command_run("compare", "box.yaml", "--set", "measurements.sets.+={name: dawn, file: a.csv}",
+                  "--set", "measurements.sets.+={name: dusk, file: b.csv}", "--no-plots", NULL);
+  assert_int_equal(c.code, 0);
+  assert_non_null(strstr(c.out, "box against a.csv, b.csv: 36 observations"));
+  assert_non_null(strstr(c.out, "band_irradiance lwir@dusk [W/m^2]"));
+  command_release(&c);
+  c = command_run("compare", "box.yaml", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "box.yaml: no measurements; accepted: files of them"));
+  command_release(&c);
+}
+
 /* The worst interval's bias has its unit; that of magnitudes, whose table is in mag, is in flux. */
 static void test_worst_has_unit(void **state)
 {
@@ -289,6 +326,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_synth, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_compare, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_sets, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_picture, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_worst_has_unit, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_bad_measurements, enter, command_leave)};

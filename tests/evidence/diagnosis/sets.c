@@ -94,6 +94,17 @@ static void nuisances_are_of_sets(void **state)
       fail_msg("%s said: %s", refused[i].text, um_core_message(context));
     um_diagnosis_request_release(context, &r);
   }
+  static const char *const clock = "time_tag,sigma=0.1";
+  const struct um_diagnosis_request_texts late = {
+      .nuisance = &clock, .nnuisance = 1, .measurements = both};
+  OK(um_diagnosis_request_make(context, model, &late, &r));
+  assert_int_equal(r.nnuisance, 2);
+  um_diagnosis_request_release(context, &r);
+  both->row[0].t_tai += APART; /* sets that overlap have one clock */
+  um_core_message_clear(context);
+  assert_int_equal(um_diagnosis_request_make(context, model, &late, &r), UM_ERR_INPUT);
+  assert_non_null(strstr(um_core_message(context), "sets 'early' and 'late' overlap in time"));
+  um_diagnosis_request_release(context, &r);
   um_model_destroy(context, &model);
   um_compare_measurements_destroy(context, &both);
 }
