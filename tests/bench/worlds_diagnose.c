@@ -79,7 +79,7 @@ static void describe_pulse(const struct um_diagnosis *d, struct worlds_answer *a
   for (size_t i = 0; i < o->count; i++) first = fmin(first, o->t[i]);
   snprintf(place, sizeof place, "pulse:%s", u->heat[0].place);
   worlds_append(a->groups, sizeof a->groups, " ", place);
-  add_value(a, "pulse", u->heat[0].place, "start_s", u->heat[0].start - first,
+  add_value(a, "pulse", u->heat[0].place, "start_s", u->heat[0].course.start - first,
             u->heat[0].start_sigma);
   add_value(a, "pulse", u->heat[0].place, "energy_J", u->heat[0].energy, u->heat[0].energy_sigma);
 }
