@@ -84,6 +84,37 @@ static void describe_pulse(const struct um_diagnosis *d, struct worlds_answer *a
   add_value(a, "pulse", u->heat[0].place, "energy_J", u->heat[0].energy, u->heat[0].energy_sigma);
 }
 
+/* Of the steps, the most that is given to an effect of these names. */
+static double given_to(const struct um_diagnosis *d, const char *names)
+{
+  double most = 0.0;
+  for (size_t s = 0; s < d->nstep; s++) {
+    const struct um_diagnosis_step *step = &d->step[s];
+    double sum = 0.0;
+    for (size_t i = 0; i < step->nalternative && !step->removed; i++)
+      if (worlds_names_match(names, d->candidates->candidate[step->alternative[i].candidate].name))
+        sum += step->alternative[i].probability;
+    most = fmax(most, sum);
+  }
+  return most;
+}
+
+/* The probability that is stated for the truth, mean over what is hidden. */
+static void describe_probability(const struct um_diagnosis *d, const struct worlds_world *world,
+                                 struct worlds_answer *a)
+{
+  double sum = 0.0, n = 0.0;
+  for (size_t i = 0; i < world->nhidden; i++) {
+    if (world->hidden[i].optional) continue;
+    sum += given_to(d, world->hidden[i].names);
+    n += 1.0;
+  }
+  if (world->good == WORLDS_UNEXPLAINED)
+    a->probability = d->probability.none;
+  else if (n > 0.0)
+    a->probability = sum / n;
+}
+
 static enum um_status keep(struct um_context *context, const char *journal,
                            const struct worlds_answer *a)
 {
@@ -144,6 +175,7 @@ enum um_status worlds_diagnose(struct um_context *context, const struct worlds_o
   describe_steps(d, a);
   describe_values(d, a);
   describe_pulse(d, a);
+  describe_probability(d, world, a);
   a->seconds = bench_cpu() - start;
   UM_CHECK(keep(context, options->journal, a));
 done:
