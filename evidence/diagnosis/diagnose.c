@@ -207,16 +207,17 @@ static bool ends_alike(const struct um_diagnosis *a, const struct um_diagnosis *
   return true;
 }
 
-/* The search anew, with the noise that the end of the last one has. *same: it ends alike. */
+/* The search anew, with the noise that a residual has. *same: it ends alike. */
 static enum um_status search_anew(struct um_context *context, struct um_diagnosis_work *work,
                                   const struct um_inference_noise_family *family,
-                                  struct um_diagnosis_state *state, struct um_diagnosis_state *bare,
-                                  struct um_diagnosis **d, bool *same)
+                                  const double *residual, struct um_diagnosis_state *state,
+                                  struct um_diagnosis_state *bare, struct um_diagnosis **d,
+                                  bool *same)
 {
   enum um_status status;
   struct um_diagnosis *next = NULL;
   struct um_inference_noise noise = {0};
-  UM_CHECK(um_inference_noise_learn(context, family, state->fit->residual, NULL, &noise));
+  UM_CHECK(um_inference_noise_learn(context, family, residual, NULL, &noise));
   *same = um_inference_noise_is_white(&noise);
   if (*same) goto done;
   um_inference_noise_release(context, work->noise);
@@ -242,19 +243,49 @@ done:
   return status;
 }
 
-/* Where what is left is not noise of the stated sigma: searches by what it is. */
+/* BIC of a state whose residual is noise that is learnt. */
+static enum um_status with_discrepancy(struct um_context *context,
+                                       const struct um_inference_noise_family *family,
+                                       const struct um_diagnosis_state *state, double *bic)
+{
+  const struct um_inference_fit *fit = state->fit;
+  struct um_inference_noise noise = {0};
+  UM_TRY(um_inference_noise_learn(context, family, fit->residual, NULL, &noise));
+  *bic = noise.worth + fit->chi2_prior + (double)fit->nparameter * log((double)fit->nobservation);
+  um_inference_noise_release(context, &noise);
+  return UM_OK;
+}
+
+/* What it costs that the effects were chosen among all that were tested: twice ln of the number of
+ * ways (extended BIC of Chen & Chen 2008, Biometrika 95:759). */
+static double of_choice(const struct um_diagnosis *d)
+{
+  double n = 0.0, k = (double)d->naddition;
+  for (size_t i = 0; i < d->nranking; i++) n += !d->ranking[i].score.absorbed;
+  n = fmax(n, k);
+  return 2.0 * (lgamma(n + 1.0) - lgamma(k + 1.0) - lgamma(n - k + 1.0));
+}
+
+/* Where what is left is not noise of the stated sigma, or a discrepancy explains as much as the
+ * effects that were added: searches by what it is. */
 static enum um_status search_with_noise(struct um_context *context, struct um_diagnosis_work *work,
                                         struct um_inference_noise *noise,
                                         struct um_diagnosis_discrepancy *discrepancy,
                                         struct um_diagnosis_state *state,
                                         struct um_diagnosis_state *bare, struct um_diagnosis **d)
 {
-  if (um_diagnosis_is_noise(&(*d)->final_whiteness)) return UM_OK;
+  bool white = um_diagnosis_is_noise(&(*d)->final_whiteness), same = false;
+  if (white && (*d)->naddition == 0) return UM_OK;
   UM_TRY(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
-  bool same = false;
+  if (white) {
+    double rival;
+    UM_TRY(with_discrepancy(context, &discrepancy->family, bare, &rival));
+    if (rival > (*d)->bic_after + of_choice(*d)) return UM_OK;
+  }
   for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !same; round++) {
+    const double *residual = (white && round == 0 ? bare : state)->fit->residual;
     work->noise = noise;
-    UM_TRY(search_anew(context, work, &discrepancy->family, state, bare, d, &same));
+    UM_TRY(search_anew(context, work, &discrepancy->family, residual, state, bare, d, &same));
     if (!(*d)->weighed) work->noise = NULL;
   }
   return UM_OK;

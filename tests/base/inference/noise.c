@@ -165,7 +165,7 @@ static void test_learns(void **state)
     um_inference_noise_release(context, &noise);
   }
   print_message("white %zu of %d, scale %.3f, ratio exp(%.3f)\n", white, DRAWS, scale, ratio);
-  assert_true(white >= 0.93 * DRAWS);
+  assert_true((double)white >= 0.93 * DRAWS);
   assert_close(scale, 1.5, 0.045);
   assert_close(ratio, 0.0, 0.15);
 }

@@ -233,7 +233,7 @@ static void test_refusals(void **state)
   measure(NULL, 0, NULL, 0);
   assert_refused(diagnose(&options, &c), UM_ERR_INPUT,
                  "nuisance 'attitude_offset' per 'observation': an effect that is free at "
-                 "each observation fits any measurement; accepted: per set");
+                 "each observation fits any measurement; accepted: per set, per all");
   end(&c);
 }
 

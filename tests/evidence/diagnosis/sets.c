@@ -199,7 +199,7 @@ static struct diagnosed diagnose(const struct um_compare_measurements *m, bool c
   static const char *const only[] = {"internal_power", "stored_heat", "time_tag", "zero_point"};
   const struct um_diagnosis_options options = {
       .candidates = {.only = only, .nonly = calibration ? 4 : 3}, .no_next = true, .no_heat = true};
-  struct diagnosed c = {NULL};
+  struct diagnosed c = {0};
   OK(um_sensitivity_forward_create(context, path, NULL, m, UM_VARIANT_TIGHT, &c.forward));
   OK(um_sensitivity_candidates_create(context, c.forward, NULL, 0, &options.candidates,
                                       &c.candidates));
