@@ -103,7 +103,7 @@ def commands():
     yield ["diagnose", *BOX, *SHORT, "vis.csv", "--no-plots", "--only", "zero_point:vis", "--only", "area:bus",
            "--nuisance", "emittance:grey_white", "--out", "group"]
     yield ["synth", *BOX, *SHORT, "--noise", "0.01,0.001", "--seed", "5", "--temperatures", "bus", "--with",
-           "solar_absorptance:grey_white,shift=0.3", "-o", "warm.csv"]
+           "emittance:grey_white,factor=0.5", "-o", "warm.csv"]
     yield ["diagnose", *BOX, *SHORT, "warm.csv", "--no-plots", "--only", "zero_point:vis", "--out", "warm"]
     yield ["fit", *BOX, *SHORT, "m.csv", "--add", "emittance:grey_white", "--no-plots", "--out", "fit"]
     yield ["synth", "ball.yaml", "--noise", "0.01,0.0001", "--seed", "3", "-o", "ball.csv"]
