@@ -275,7 +275,7 @@ static enum um_status search_with_noise(struct um_context *context, struct um_di
                                         struct um_diagnosis_state *bare, struct um_diagnosis **d)
 {
   bool white = um_diagnosis_is_noise(&(*d)->final_whiteness), same = false;
-  if (white && (*d)->naddition == 0) return UM_OK;
+  if (white && (*d)->naddition < 2) return UM_OK; /* one effect alone that leaves noise stands */
   UM_TRY(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
   if (white) {
     double rival;

@@ -246,7 +246,7 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
 static void add_heat(struct text *text, const struct um_missing_heat_unexplained *u)
 {
   char start[40], shape[UM_MISSING_HEAT_TEXT];
-  if (u == NULL || u->nheat == 0) return;
+  if (u == NULL || u->nheat == 0 || !(u->heat[0].energy_sigma > 0.0)) return; /* rows see no heat */
   const struct um_missing_heat *h = &u->heat[0];
   um_orbit_time_format(h->course.start, start);
   um_missing_heat_text(h, shape);

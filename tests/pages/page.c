@@ -67,7 +67,8 @@ static bool same_word(const char *page, size_t npage, const char *said, size_t n
   snprintf(b, sizeof b, "%.*s", (int)nsaid, said);
   char *a_end, *b_end;
   double x = strtod(a, &a_end), y = strtod(b, &b_end);
-  if (a_end == a || b_end == b) return strcmp(a, b) == 0;
+  /* "influence" begins with a number, too */
+  if (a_end == a || b_end == b || !isfinite(x) || !isfinite(y)) return strcmp(a, b) == 0;
   return strcmp(a_end, b_end) == 0 && fabs(x - y) <= 2.0000001 * last_digit(a, a_end);
 }
 
