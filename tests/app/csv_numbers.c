@@ -61,15 +61,15 @@ static size_t expect_folder(const char *folder)
 #define RUN(out, ...)                                                                              \
   command_expect(0, "run", "box.yaml", "--no-plots", "--out", out, __VA_ARGS__, NULL)
 
-/* In the umbra without earthshine and moonlight nothing of a cold box is seen in the visible: its 4
+/* In the umbra without any light but starlight nothing of a cold box is seen in the visible: its 4
  * bins at 3 K underflow to 0, and a flux of 0 has no magnitude. */
 static void test_runs(void **state)
 {
   (void)state;
   RUN("plain", "--threads", "1");
   RUN("dark", "--without", "earthshine", "--without", "earth_ir", "--without", "reflected_earth_ir",
-      "--without", "albedo", "--without", "moonlight", "--set", "thermal.start_temperature_K=4",
-      "--set", "time.stop_utc=2016-09-06T18:09:00Z", "--set",
+      "--without", "albedo", "--without", "moonlight", "--without", "umbra_scatter", "--set",
+      "thermal.start_temperature_K=4", "--set", "time.stop_utc=2016-09-06T18:09:00Z", "--set",
       "parts.bus.shell.areal_heat_capacity_J_m2_K=1e7");
   RUN("behind", "--set", "observer={direction: {unit_gcrs: [0, 0, -1], range_km: 20000}}");
   RUN("points", "--set", "observer={trajectory: {table: far.csv}}", "--set", "time.step_s=120");
