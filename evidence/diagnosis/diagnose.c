@@ -18,24 +18,6 @@ static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
   for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) values[p] = NAN;
 }
 
-/* Cross-validation folds: blocks of equally many observations, in order of time. */
-static enum um_status make_folds(struct um_context *context, struct um_diagnosis_work *work)
-{
-  const struct um_sensitivity_forward *f = work->forward;
-  double first = INFINITY, last = -INFINITY;
-  UM_TRY(um_core_allocate(context, f->observations.count, sizeof *work->fold, &work->fold));
-  for (size_t j = 0; j < f->observations.count; j++) {
-    first = fmin(first, f->observations.t[j]);
-    last = fmax(last, f->observations.t[j]);
-  }
-  work->nfold = UM_DIAGNOSIS_FOLDS;
-  for (size_t j = 0; j < f->observations.count && last > first; j++) {
-    size_t fold = (size_t)(UM_DIAGNOSIS_FOLDS * (f->observations.t[j] - first) / (last - first));
-    work->fold[j] = fold < UM_DIAGNOSIS_FOLDS ? fold : UM_DIAGNOSIS_FOLDS - 1;
-  }
-  return UM_OK;
-}
-
 /* The scenario as it is, with its nuisances fitted. */
 static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
                                struct um_diagnosis_state *state, struct um_diagnosis *d)
@@ -172,6 +154,7 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
   }
   d->unexplained = heat;
   d->verdict = UM_VERDICT_UNEXPLAINED;
+  if (better) d->nscatter = d->noutlier = 0; /* of what the heat is in place of */
   if (d->naddition == 0) return UM_OK;
   um_diagnosis_steps_clear(context, d);
   um_diagnosis_state_release(context, state);
@@ -243,26 +226,11 @@ done:
   return status;
 }
 
-/* BIC of a state whose residual is noise that is learnt. */
-static enum um_status with_discrepancy(struct um_context *context,
-                                       const struct um_inference_noise_family *family,
-                                       const struct um_diagnosis_state *state, double *bic)
-{
-  const struct um_inference_fit *fit = state->fit;
-  struct um_inference_noise noise = {0};
-  UM_TRY(um_inference_noise_learn(context, family, fit->residual, NULL, &noise));
-  *bic = noise.worth + fit->chi2_prior + (double)fit->nparameter * log((double)fit->nobservation);
-  um_inference_noise_release(context, &noise);
-  return UM_OK;
-}
-
 /* What it costs that the effects were chosen among all that were tested: twice ln of the number of
  * ways (extended BIC of Chen & Chen 2008, Biometrika 95:759). */
 static double of_choice(const struct um_diagnosis *d)
 {
-  double n = 0.0, k = (double)d->naddition;
-  for (size_t i = 0; i < d->nranking; i++) n += !d->ranking[i].score.absorbed;
-  n = fmax(n, k);
+  double k = (double)d->naddition, n = fmax((double)um_diagnosis_tested(d), k);
   return 2.0 * (lgamma(n + 1.0) - lgamma(k + 1.0) - lgamma(n - k + 1.0));
 }
 
@@ -279,7 +247,7 @@ static enum um_status search_with_noise(struct um_context *context, struct um_di
   UM_TRY(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
   if (white) {
     double rival;
-    UM_TRY(with_discrepancy(context, &discrepancy->family, bare, &rival));
+    UM_TRY(um_diagnosis_noise_bic(context, &discrepancy->family, NULL, bare->fit, &rival));
     if (rival > (*d)->bic_after + of_choice(*d)) return UM_OK;
   }
   for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !same; round++) {
@@ -326,7 +294,10 @@ static enum um_status begin(struct um_context *context, struct um_sensitivity_fo
   (*d)->forward = forward;
   (*d)->level = work->level;
   UM_TRY(um_core_allocate(context, candidates->count, sizeof *work->fate, &work->fate));
-  return make_folds(context, work);
+  UM_TRY(um_core_allocate(context, forward->observations.count, sizeof *work->fold, &work->fold));
+  work->nfold = UM_DIAGNOSIS_FOLDS;
+  um_diagnosis_time_blocks(&forward->observations, work->nfold, work->fold);
+  return UM_OK;
 }
 
 enum um_status um_diagnosis_create(struct um_context *context,

@@ -1,6 +1,6 @@
 /* Coordinates along which a discrepancy is correlated, in lengths over which it is alike:
  *
- *   time     t / scale, scales from UM_DIAGNOSIS_SHORTEST by fours up to the span
+ *   time     t / scale, scales from 15 s by fours up to the span
  *   orbit    angle from the Sun's noon in the plane of the orbit, on a circle
  *   aspect   directions to Sun and observer in axes of the body, on two spheres */
 #include "evidence/diagnosis/discrepancy_impl.h"

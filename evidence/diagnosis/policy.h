@@ -34,9 +34,8 @@
 
 /* ---- a discrepancy of the model (discrepancy.c, scatter.c) ---- */
 
-/* Shortest scale of time [s], and distances over which phases of the orbit [rad] and directions in
- * the body [rad] are alike. HAND: an eighth of a turn of the orbit, 20 deg. */
-#define UM_DIAGNOSIS_SHORTEST        15.0
+/* Distances over which phases of the orbit [rad] and directions in the body [rad] are alike. HAND:
+ * an eighth of a turn of the orbit, 20 deg. Scales of time stand in discrepancy.c. */
 #define UM_DIAGNOSIS_ALIKE_IN_ORBIT  0.8
 #define UM_DIAGNOSIS_ALIKE_IN_ASPECT 0.35
 /* Times that the noise is learnt and the search made anew, at most. HAND. */

@@ -15,7 +15,7 @@
 /* ln of prior and evidence. */
 static double weight(double prior, double bic) { return log(prior) - 0.5 * bic; }
 
-static size_t tested(const struct um_diagnosis *d)
+size_t um_diagnosis_tested(const struct um_diagnosis *d)
 {
   size_t n = 0;
   for (size_t i = 0; i < d->nranking; i++) n += !d->ranking[i].score.absorbed;
@@ -46,7 +46,7 @@ static double add(double a, double b)
 void um_diagnosis_probabilities_assign(const struct um_diagnosis_state *bare,
                                        struct um_diagnosis *d)
 {
-  double m = (double)tested(d), one = UM_DIAGNOSIS_PRIOR_ONE / m;
+  double m = (double)um_diagnosis_tested(d), one = UM_DIAGNOSIS_PRIOR_ONE / m;
   double pairs = fmax(1.0, 0.5 * m * (m - 1.0)), single = -INFINITY, several = -INFINITY;
   double none = -INFINITY, nothing = weight(UM_DIAGNOSIS_PRIOR_NOTHING, bare->fit->bic);
   for (size_t s = 0; s < d->nstep; s++) {

@@ -7,6 +7,20 @@
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 
+void um_diagnosis_time_blocks(const struct um_sensitivity_observations *o, size_t nblock,
+                              size_t *block)
+{
+  double first = INFINITY, last = -INFINITY;
+  for (size_t j = 0; j < o->count; j++) {
+    first = fmin(first, o->t[j]);
+    last = fmax(last, o->t[j]);
+  }
+  for (size_t j = 0; j < o->count; j++) {
+    block[j] = last > first ? (size_t)((double)nblock * (o->t[j] - first) / (last - first)) : 0;
+    if (block[j] == nblock) block[j]--;
+  }
+}
+
 bool um_diagnosis_is_rough(const struct um_sensitivity_candidate *candidate)
 {
   for (size_t k = 0; k < candidate->nunidentified; k++)
@@ -113,6 +127,18 @@ static double chi2_of_bic(const struct um_diagnosis_work *work,
   return bic - (double)state->nparameter * log((double)work->forward->observations.count);
 }
 
+enum um_status um_diagnosis_noise_bic(struct um_context *context,
+                                      const struct um_inference_noise_family *family,
+                                      const struct um_inference_noise *outliers,
+                                      const struct um_inference_fit *fit, double *out)
+{
+  struct um_inference_noise own = {0};
+  UM_TRY(um_inference_noise_learn(context, family, fit->residual, outliers, &own));
+  *out = own.worth + fit->chi2_prior + (double)fit->nparameter * log((double)fit->nobservation);
+  um_inference_noise_release(context, &own);
+  return UM_OK;
+}
+
 /* BIC with the noise that the fit's own residual has the largest likelihood with: what another
  * explanation leaves may be discrepancy, too, and is paid for as such. Chi-square is that of white
  * noise again. */
@@ -120,13 +146,8 @@ static enum um_status judge_by_own_noise(struct um_context *context,
                                          const struct um_diagnosis_work *work,
                                          struct um_inference_fit *fit)
 {
-  struct um_inference_noise own = {0};
-  double n = (double)fit->nobservation;
-  UM_TRY(um_inference_noise_learn(context, work->noise->family, fit->residual, work->noise, &own));
   fit->chi2 = um_inference_dot(fit->nobservation, fit->residual, fit->residual);
-  fit->bic = own.worth + fit->chi2_prior + (double)fit->nparameter * log(n);
-  um_inference_noise_release(context, &own);
-  return UM_OK;
+  return um_diagnosis_noise_bic(context, work->noise->family, work->noise, fit, &fit->bic);
 }
 
 enum um_status um_diagnosis_state_fit(struct um_context *context,

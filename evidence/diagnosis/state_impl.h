@@ -39,6 +39,17 @@ struct um_diagnosis_block {
       maximum[UM_EFFECT_PARAMETERS_MAX]; /* [nfree] physical */
 };
 
+/* Blocks of equal time, of each observation: block [count], below nblock. */
+void um_diagnosis_time_blocks(const struct um_sensitivity_observations *observations, size_t nblock,
+                              size_t *block);
+
+/* BIC of a fit with the noise that its own residual has the largest likelihood with. outliers:
+ * whose rows are set aside; NULL: they are looked for. */
+enum um_status um_diagnosis_noise_bic(struct um_context *context,
+                                      const struct um_inference_noise_family *family,
+                                      const struct um_inference_noise *outliers,
+                                      const struct um_inference_fit *fit, double *out);
+
 /* What is fitted together, and its fit: nuisances first, then effects in the order they came. */
 struct um_diagnosis_state {
   size_t nblock, nnuisance; /* blocks of which the first are nuisances */

@@ -185,6 +185,8 @@ enum um_status um_diagnosis_sceptic_ask(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         struct um_diagnosis *d);
 
+/* Candidates that the observations can see beside the nuisances, 1 at least. */
+size_t um_diagnosis_tested(const struct um_diagnosis *d);
 /* Set d->probability and that of each step's alternatives, after the verdict. bare: the scenario
  * with its nuisances. */
 void um_diagnosis_probabilities_assign(const struct um_diagnosis_state *bare,
