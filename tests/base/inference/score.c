@@ -325,6 +325,33 @@ static void test_refused(void **state)
   assert_close(s.statistic, 4.0, 1e-14);
 }
 
+/* The least p of m orthogonal directions, each tried both ways, is below p in 1 - (1 - p)^m of the
+ * draws; m times the same direction is one. Of 20000 draws within 4 of their standard errors. */
+static void test_search(void **state)
+{
+  enum { DRAWS = 20000, MANY = 5 };
+  struct um_context *c = *state;
+  double column[MANY][ROWS] = {{0.0}}, p;
+  struct um_inference_direction direction[MANY];
+  for (size_t i = 0; i < MANY; i++) {
+    column[i][3 * i + 1] = 2.0 + (double)i;
+    direction[i] = direction_of(1, column[i]);
+  }
+  const double each = 0.01;
+  for (size_t m = 1; m <= MANY; m += MANY - 1) {
+    double expected = 1.0 - pow(1.0 - each, (double)m);
+    assert_int_equal(um_inference_search_p(c, ROWS, NULL, m, direction, each, DRAWS, 7, &p), UM_OK);
+    assert_close(p, expected, 4.0 * sqrt(expected * (1.0 - expected) / DRAWS));
+  }
+  for (size_t i = 0; i < MANY; i++) direction[i] = direction_of(1, column[0]);
+  assert_int_equal(um_inference_search_p(c, ROWS, NULL, MANY, direction, each, DRAWS, 7, &p),
+                   UM_OK);
+  assert_close(p, each, 4.0 * sqrt(each * (1.0 - each) / DRAWS));
+  assert_int_equal(um_inference_search_p(c, ROWS, &nuisance, MANY, direction, 0.0, 99, 7, &p),
+                   UM_OK);
+  assert_close(p, 0.01, 1e-12); /* as little as that many draws show */
+}
+
 static enum um_status everything(struct um_context *c)
 {
   const double r[3] = {1.0, 2.0, 3.0};
@@ -365,12 +392,18 @@ static void test_best_of_many(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_closed_form),       cmocka_unit_test(test_priors_of_nuisances),
-      cmocka_unit_test(test_absorbed),          cmocka_unit_test(test_collinear_is_one_test),
-      cmocka_unit_test(test_collinear_columns), cmocka_unit_test(test_underflow),
-      cmocka_unit_test(test_separation),        cmocka_unit_test(test_best_of_many),
-      cmocka_unit_test(test_refused),           cmocka_unit_test(test_memory),
-      cmocka_unit_test(test_p_is_uniform),      cmocka_unit_test(test_family_wise_rate)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_search),
+                                     cmocka_unit_test(test_closed_form),
+                                     cmocka_unit_test(test_priors_of_nuisances),
+                                     cmocka_unit_test(test_absorbed),
+                                     cmocka_unit_test(test_collinear_is_one_test),
+                                     cmocka_unit_test(test_collinear_columns),
+                                     cmocka_unit_test(test_underflow),
+                                     cmocka_unit_test(test_separation),
+                                     cmocka_unit_test(test_best_of_many),
+                                     cmocka_unit_test(test_refused),
+                                     cmocka_unit_test(test_memory),
+                                     cmocka_unit_test(test_p_is_uniform),
+                                     cmocka_unit_test(test_family_wise_rate)};
   return cmocka_run_group_tests(tests, set_up, context_tear_down);
 }

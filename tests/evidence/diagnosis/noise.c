@@ -106,6 +106,11 @@ static void test_white(void **state)
       &(struct lists){.with = LIST("emittance:grey_panel,factor=0.9"), .only = looked_for});
   assert_true(!c.d->weighed && c.d->nscatter == 0 && c.d->noutlier == 0);
   const struct um_diagnosis_probability *p = &c.d->probability;
+  /* blocks by turns halve the information: each half foretells sqrt(G / 2) of the other's
+   * chi-square G / 2, together sqrt G, within the scatter of 1 */
+  const struct um_diagnosis_sceptic *q = &c.d->sceptic;
+  assert_true(q->asked && fabs(q->frozen - sqrt(c.d->chi2 - c.d->chi2_after)) < 4.0);
+  assert_true(q->search_p < 0.002 && q->flips < q->variations && q->variations >= 22);
   assert_true(fabs(p->nothing + p->one + p->several + p->none - 1.0) < 1e-12 && p->one > 0.99);
   end(&c);
 }
