@@ -8,12 +8,7 @@
  * withheld and added again as an effect must give the complete model back to 1 mK, the integrator's
  * tolerance. */
 #include "base/core/csv.h"
-#include "evidence/comparison/compare.h"
-#include "evidence/measurements/measurements.h"
-#include "model/build/build.h"
-#include "model/geometry/precompute.h"
-#include "model/run/run.h"
-#include "tests/scenarios/support.h"
+#include "tests/scenarios/compared_test.h"
 
 #define KNOCKE   "environment.earth=knocke"
 #define SCENARIO UMBRA_SOURCE_DIR "/scenarios/funcube-1"
@@ -40,44 +35,17 @@ static size_t length(const char *const *list)
   return n;
 }
 
-static void need(struct um_context *context, enum um_status status)
-{
-  if (status != UM_OK) fail_msg("%s", um_core_message(context));
-}
-
 /* Residual of the panel mean, all rows. */
 static struct um_compare_metrics compute(const char *const *overrides, const char *const *with,
                                          const char *const *without)
 {
-  struct um_context *context = NULL;
-  struct um_compare_measurements *measured = NULL;
-  struct um_compare_plan *plan = NULL;
-  struct um_compare_comparison *comparison = NULL;
-  struct support_run run = {0};
   const struct um_model_options options = {.overrides = overrides,
                                            .noverride = length(overrides),
                                            .with = with,
                                            .nwith = length(with),
                                            .without = without,
                                            .nwithout = length(without)};
-  need(NULL, um_core_context_create(NULL, &context));
-  need(context, um_compare_measurements_read(context, MEASURED, &measured));
-  need(context, um_model_create(context, SCENARIO, &options, &run.model));
-  need(context, um_compare_plan_create(context, run.model, measured, &plan));
-  need(context, um_compare_plan_trace(context, run.model, plan, &run.tables));
-  need(context, um_model_run(context, run.model, run.tables, &run.result));
-  const struct um_compare_run compared = {run.model, plan, run.tables, run.result};
-  need(context, um_compare_create(context, &compared, 0.0, &comparison));
-  assert_int_equal(comparison->nchannel, 1);
-  struct um_compare_metrics metrics = comparison->channel[0].all;
-  um_compare_destroy(context, &comparison);
-  um_model_result_destroy(context, &run.result);
-  um_model_tables_destroy(context, &run.tables);
-  um_compare_plan_destroy(context, &plan);
-  um_model_destroy(context, &run.model);
-  um_compare_measurements_destroy(context, &measured);
-  um_core_context_destroy(&context);
-  return metrics;
+  return compared(SCENARIO, MEASURED, &options);
 }
 
 static double complete_rms = NAN; /* [K], NaN until the complete model was computed */
