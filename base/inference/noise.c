@@ -102,8 +102,8 @@ static void gather(const struct um_inference_noise *noise, const part *p, const 
 }
 
 /* The best of no, any one kind of discrepancy, for a channel; returns what it is worth. */
-static double learn_channel(struct um_inference_noise *noise, size_t c, const double *residual,
-                            double *v, double *q)
+static double estimate_channel(struct um_inference_noise *noise, size_t c, const double *residual,
+                               double *v, double *q)
 {
   const struct um_inference_noise_family *f = noise->family;
   struct um_inference_noise_channel *out = &noise->channel[c];
@@ -139,12 +139,12 @@ static double learn_channel(struct um_inference_noise *noise, size_t c, const do
   return least;
 }
 
-static void learn_all(struct um_inference_noise *noise, const double *residual, double *v,
-                      double *q)
+static void estimate_all(struct um_inference_noise *noise, const double *residual, double *v,
+                         double *q)
 {
   noise->worth = 0.0;
   for (size_t c = 0; c < noise->family->nchannel; c++)
-    noise->worth += learn_channel(noise, c, residual, v, q);
+    noise->worth += estimate_channel(noise, c, residual, v, q);
   for (size_t j = 0; j < noise->family->nobservation; j++)
     if (noise->factor[j] > 1.0)
       noise->worth += 2.0 * log(noise->factor[j]) - 2.0 * log(UM_INFERENCE_OUTLIERS);
@@ -244,12 +244,12 @@ static enum um_status look_for_outliers(struct um_context *context,
   UM_CHECK(begin(context, noise->family, NULL, &trial));
   UM_CHECK(um_core_allocate(context, n, sizeof *cut, &cut));
   winsorise(noise->family, residual, v, cut);
-  learn_all(&trial, cut, v, q);
+  estimate_all(&trial, cut, v, q);
   for (size_t before = 0, look = 0; look < UM_INFERENCE_LOOKS; look++) {
     set_aside(&trial, residual, v);
     if (trial.noutlier == before) break;
     before = trial.noutlier;
-    learn_all(&trial, residual, v, q);
+    estimate_all(&trial, residual, v, q);
   }
   if (trial.noutlier > 0 && trial.worth < noise->worth) {
     struct um_inference_noise other = *noise;
@@ -262,18 +262,18 @@ done:
   return status;
 }
 
-enum um_status um_inference_noise_learn(struct um_context *context,
-                                        const struct um_inference_noise_family *family,
-                                        const double *residual,
-                                        const struct um_inference_noise *from,
-                                        struct um_inference_noise *out)
+enum um_status um_inference_noise_estimate(struct um_context *context,
+                                           const struct um_inference_noise_family *family,
+                                           const double *residual,
+                                           const struct um_inference_noise *from,
+                                           struct um_inference_noise *out)
 {
   enum um_status status;
   double *v = NULL, *q = NULL;
   UM_CHECK(begin(context, family, from, out));
   UM_CHECK(um_core_allocate(context, family->nobservation, sizeof *v, &v));
   UM_CHECK(um_core_allocate(context, family->nobservation, sizeof *q, &q));
-  learn_all(out, residual, v, q);
+  estimate_all(out, residual, v, q);
   if (from == NULL) UM_CHECK(look_for_outliers(context, out, residual, v, q));
 done:
   UM_FREE(context, v, q);

@@ -28,8 +28,8 @@ struct um_inference_noise {
   struct um_inference_noise_channel *channel;     /* [nchannel] */
   double *factor;                                 /* [nobservation] 1; above: set aside */
   size_t noutlier;
-  /* of the residual it was learnt from: r'C^-1 r + ln det C + what outliers cost + ln n a number
-   * that was learnt; as chi-square for white noise of unit variance */
+  /* of the residual it was estimated from: r'C^-1 r + ln det C + what outliers cost + ln n a number
+   * that was estimated; as chi-square for white noise of unit variance */
   double worth;
   double *work; /* [nobservation] */
 };
@@ -39,11 +39,11 @@ struct um_inference_noise {
  * (rows, one or two together, that others of their channel foretell, more than UM_INFERENCE_OUTLIER
  * sigma off, at most a tenth of a channel); else those of that noise are kept. UM_ERR_MEMORY. The
  * caller releases. */
-enum um_status um_inference_noise_learn(struct um_context *context,
-                                        const struct um_inference_noise_family *family,
-                                        const double *residual,
-                                        const struct um_inference_noise *from,
-                                        struct um_inference_noise *out);
+enum um_status um_inference_noise_estimate(struct um_context *context,
+                                           const struct um_inference_noise_family *family,
+                                           const double *residual,
+                                           const struct um_inference_noise *from,
+                                           struct um_inference_noise *out);
 void um_inference_noise_release(struct um_context *context, struct um_inference_noise *noise);
 
 /* Whether it is more than white noise of unit variance. */

@@ -59,7 +59,7 @@
 /* Share of rows that are outliers before anything is known [1], and at most in a channel. HAND. */
 #define UM_INFERENCE_OUTLIERS      0.02
 #define UM_INFERENCE_OUTLIERS_MOST 0.1
-/* Looks for outliers, the noise learnt anew before each. HAND. */
+/* Looks for outliers, the noise estimated anew before each. HAND. */
 #define UM_INFERENCE_LOOKS 4
 /* Scatters at which a residual is cut before outliers are looked for [1]. HAND. */
 #define UM_INFERENCE_WINSOR 3.0

@@ -1,6 +1,6 @@
 /* The method, step by step. Fit the nuisances. Test, fit and add effects one after another, until
  * nothing significant is left. Remove what is no longer needed. Where the end is not noise of the
- * stated sigma, learn what it is and search anew: an effect must beat what a discrepancy of the
+ * stated sigma, estimate what it is and search anew: an effect must beat what a discrepancy of the
  * model explains. Say what is found and what cannot be known. */
 #include "evidence/diagnosis/diagnose.h"
 
@@ -200,7 +200,7 @@ static enum um_status search_anew(struct um_context *context, struct um_diagnosi
   enum um_status status;
   struct um_diagnosis *next = NULL;
   struct um_inference_noise noise = {0};
-  UM_CHECK(um_inference_noise_learn(context, family, residual, NULL, &noise));
+  UM_CHECK(um_inference_noise_estimate(context, family, residual, NULL, &noise));
   *same = um_inference_noise_is_white(&noise);
   if (*same) goto done;
   um_inference_noise_release(context, work->noise);

@@ -155,7 +155,7 @@ struct um_diagnosis {
   size_t *outlier; /* [noutlier] rows of the measurements that were set aside */
   struct um_diagnosis_probability probability;
   struct um_diagnosis_sceptic sceptic;
-  bool weighed;   /* by a noise that was learnt */
+  bool weighed;   /* by a noise that was estimated */
   bool allowance; /* the residual is not quite noise, and was accepted all the same */
   struct um_missing_heat_residual residual; /* of the baseline, what it looks like; not of a fit,
                                                nor where the model is complete */

@@ -38,7 +38,7 @@
  * an eighth of a turn of the orbit, 20 deg. Scales of time stand in discrepancy.c. */
 #define UM_DIAGNOSIS_ALIKE_IN_ORBIT  0.8
 #define UM_DIAGNOSIS_ALIKE_IN_ASPECT 0.35
-/* Times that the noise is learnt and the search made anew, at most. HAND. */
+/* Times that the noise is estimated and the search made anew, at most. HAND. */
 #define UM_DIAGNOSIS_NOISE_ROUNDS 3
 /* A discrepancy that is too large to be called one: above these sigmas, and this temperature [K] or
  * share of the light [1], and this share of what the scenario was off by [1]. HAND: models of

@@ -58,7 +58,7 @@ enum um_status um_diagnosis_scatter_describe(struct um_context *context,
   double *discrepancy = NULL;
   if (work->noise == NULL) return UM_OK;
   const struct um_inference_noise_family *f = work->noise->family;
-  UM_CHECK(um_inference_noise_learn(context, f, state->fit->residual, work->noise, &own));
+  UM_CHECK(um_inference_noise_estimate(context, f, state->fit->residual, work->noise, &own));
   UM_CHECK(um_core_allocate(context, f->nobservation, sizeof *discrepancy, &discrepancy));
   UM_CHECK(um_core_allocate(context, f->nchannel, sizeof *d->scatter, &d->scatter));
   UM_CHECK(um_core_allocate(context, own.noutlier, sizeof *d->outlier, &d->outlier));

@@ -133,7 +133,7 @@ enum um_status um_diagnosis_noise_bic(struct um_context *context,
                                       const struct um_inference_fit *fit, double *out)
 {
   struct um_inference_noise own = {0};
-  UM_TRY(um_inference_noise_learn(context, family, fit->residual, outliers, &own));
+  UM_TRY(um_inference_noise_estimate(context, family, fit->residual, outliers, &own));
   *out = own.worth + fit->chi2_prior + (double)fit->nparameter * log((double)fit->nobservation);
   um_inference_noise_release(context, &own);
   return UM_OK;
@@ -254,7 +254,8 @@ static enum um_status standardised(struct um_context *context, const struct um_d
   struct um_inference_noise own = {0};
   memcpy(out, fit->residual, fit->nobservation * sizeof *out);
   if (work->noise == NULL) return UM_OK;
-  UM_TRY(um_inference_noise_learn(context, work->noise->family, fit->residual, work->noise, &own));
+  UM_TRY(
+      um_inference_noise_estimate(context, work->noise->family, fit->residual, work->noise, &own));
   um_inference_noise_whiten(&own, out);
   um_inference_noise_release(context, &own);
   return UM_OK;

@@ -1,5 +1,5 @@
-/* Noise beside the model: its roots and likelihood against dense matrices, what is learnt of drawn
- * noise, outliers, and a fit by generalised least squares. Draws are keyed. */
+/* Noise beside the model: its roots and likelihood against dense matrices, what is estimated of
+ * drawn noise, outliers, and a fit by generalised least squares. Draws are keyed. */
 #include <string.h>
 
 #include "base/inference/fit.h"
@@ -90,20 +90,20 @@ static void draw(uint64_t key, double scale, double ratio, double *r)
   }
 }
 
-static struct um_inference_noise learn(const double *r)
+static struct um_inference_noise estimate(const double *r)
 {
   struct um_inference_noise noise;
-  assert_int_equal(um_inference_noise_learn(context, &family, r, NULL, &noise), UM_OK);
+  assert_int_equal(um_inference_noise_estimate(context, &family, r, NULL, &noise), UM_OK);
   return noise;
 }
 
-/* Both channels with ratio 2 and scale 1.5: |C^-1/2 r|^2 and the learnt worth against dense
+/* Both channels with ratio 2 and scale 1.5: |C^-1/2 r|^2 and the estimated worth against dense
  * matrices; the kernel's smallest eigenvalues, 1e-4 of its trace, are left out. */
 static void test_root_and_worth(void **state)
 {
   double r[ROWS], v[ROWS], square = 0.0;
   draw(um_core_hash(41, 0), 1.5, 2.0, r);
-  struct um_inference_noise noise = learn(r);
+  struct um_inference_noise noise = estimate(r);
   (void)state;
   double scale = 1.5, ratio = 2.0;
   noise.channel[0] = noise.channel[1] = (struct um_inference_noise_channel){scale, ratio, 0};
@@ -117,13 +117,13 @@ static void test_root_and_worth(void **state)
   um_inference_noise_release(context, &noise);
 }
 
-/* The learnt maximum is one of the dense likelihood of each channel; each number costs ln n. */
+/* The estimated maximum is one of the dense likelihood of each channel; each number costs ln n. */
 static void test_likelihood(void **state)
 {
   double r[ROWS], numbers = 0.0;
   (void)state;
   draw(um_core_hash(42, 0), 1.0, 3.0, r);
-  struct um_inference_noise noise = learn(r);
+  struct um_inference_noise noise = estimate(r);
   double sum = 0.0, zero[ROWS] = {0.0};
   for (size_t c = 0; c < 2; c++) { /* the other channel's rows at 0 leave half of ln det */
     double own[ROWS] = {0.0}, scale = noise.channel[c].scale, ratio = noise.channel[c].ratio;
@@ -144,7 +144,7 @@ static void test_likelihood(void **state)
 /* White noise stays white: at ln 120 = 4.8 a number, two channels, chance takes up one in 30. Of
  * noise that scatters 1.5 times what is said the scale is found within its error sqrt(1 / 2n) each,
  * of a discrepancy of ratio 3 the ratio within the scatter of its level and ten lengths, 25 %. */
-static void test_learns(void **state)
+static void test_estimates(void **state)
 {
   enum { DRAWS = 200 };
   double r[ROWS], scale = 0.0, ratio = 0.0;
@@ -152,15 +152,15 @@ static void test_learns(void **state)
   (void)state;
   for (uint64_t k = 0; k < DRAWS; k++) {
     draw(um_core_hash(43, k), 1.0, 0.0, r);
-    struct um_inference_noise noise = learn(r);
+    struct um_inference_noise noise = estimate(r);
     white += um_inference_noise_is_white(&noise);
     um_inference_noise_release(context, &noise);
     draw(um_core_hash(44, k), 1.5, 0.0, r);
-    noise = learn(r);
+    noise = estimate(r);
     scale += noise.channel[0].scale / DRAWS;
     um_inference_noise_release(context, &noise);
     draw(um_core_hash(45, k), 1.0, 3.0, r);
-    noise = learn(r);
+    noise = estimate(r);
     ratio += log(noise.channel[0].ratio / 3.0) / DRAWS;
     um_inference_noise_release(context, &noise);
   }
@@ -183,7 +183,7 @@ static void test_outliers(void **state)
     draw(um_core_hash(46, k), 1.0, k % 2 == 0 ? 0.0 : 3.0, r);
     for (size_t s = 0; s < 4; s++)
       r[spike[s]] += (s % 2 == 0 ? 1.0 : -1.0) * (8.0 + 2.0 * (double)s);
-    struct um_inference_noise noise = learn(r);
+    struct um_inference_noise noise = estimate(r);
     size_t here = 0;
     for (size_t s = 0; s < 4; s++) here += noise.factor[spike[s]] > 1.0;
     assert_int_equal(here, noise.noutlier); /* and no other */
@@ -198,7 +198,7 @@ static void test_outliers(void **state)
   double r[ROWS];
   draw(um_core_hash(47, 0), 1.0, 0.0, r);
   for (size_t i = 50; i < 56; i += 2) r[i] += 9.0;
-  struct um_inference_noise noise = learn(r);
+  struct um_inference_noise noise = estimate(r);
   assert_int_equal(noise.noutlier, 0);
   um_inference_noise_release(context, &noise);
 }
@@ -228,7 +228,7 @@ static double pull_of(uint64_t key, bool with, double *sigma_of)
     r[i] = 0.5 * r[i] + 2.0 * line.x[i];
   }
   struct um_inference_noise noise = {0};
-  assert_int_equal(um_inference_noise_learn(context, &family, r, NULL, &noise), UM_OK);
+  assert_int_equal(um_inference_noise_estimate(context, &family, r, NULL, &noise), UM_OK);
   noise.channel[0] = noise.channel[1] = (struct um_inference_noise_channel){1.0, 3.0, 0};
   const struct um_inference_fit_parameter p = {
       .minimum = -INFINITY, .maximum = INFINITY, .prior_sigma = INFINITY, .step = 0.1};
@@ -276,7 +276,7 @@ static enum um_status everything(struct um_context *c)
   enum um_status status = um_inference_correlation_create(c, "", ROWS, channel, 2, 1, z, &k);
   if (status == UM_OK) {
     struct um_inference_noise_family f = {ROWS, 2, channel, 1, &k};
-    status = um_inference_noise_learn(c, &f, swept, NULL, &noise);
+    status = um_inference_noise_estimate(c, &f, swept, NULL, &noise);
     if (status == UM_OK) um_inference_noise_release(c, &noise);
   }
   um_inference_correlation_destroy(c, &k);
@@ -295,7 +295,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_root_and_worth),
                                      cmocka_unit_test(test_likelihood),
-                                     cmocka_unit_test(test_learns),
+                                     cmocka_unit_test(test_estimates),
                                      cmocka_unit_test(test_outliers),
                                      cmocka_unit_test(test_fit),
                                      cmocka_unit_test(test_memory)};
