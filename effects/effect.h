@@ -32,7 +32,9 @@ enum um_effect_target {
   UM_TARGET_MATERIAL = 8,
   UM_TARGET_BAND = 16,
   UM_TARGET_SENSOR = 32,
-  UM_TARGET_INTERIOR = 64 /* beside PART: "part.NAME", what the scenario lists under `interiors` */
+  /* beside PART: "part.NAME", what the scenario lists under `interiors`; beside PART_SIDE, where the
+   * part's name is that of its walls, also "part.interior" */
+  UM_TARGET_INTERIOR = 64
 };
 
 enum um_effect_change { UM_CHANGE_ADDS, UM_CHANGE_SCALES, UM_CHANGE_STRETCHES /* by 1 + value */ };

@@ -94,7 +94,7 @@ const struct um_effect um_effects_heater = {
     .separated_by = "heat_capacity and internal_power: the temperature stops falling at one value "
                     "whatever the heat load, and the light does not change while it is warmer; a "
                     "saw-tooth of minutes where sampling is dense",
-    .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE,
+    .targets = UM_TARGET_PART | UM_TARGET_PART_SIDE | UM_TARGET_INTERIOR,
     UM_EFFECT_PARAMETERS(parameters),
     .hooks = {.part = add_heater},
 };

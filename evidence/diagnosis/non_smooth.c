@@ -25,7 +25,7 @@
 #include "evidence/diagnosis/steps_impl.h"
 
 /* Amplitudes to scan [of the linear model's]. */
-static const double powers[] = {1.0, 1.5, 2.5, 4.0};
+static const double powers[] = {1.0, 1.5, 2.5, 4.0, 10.0};
 
 /* Sides of the simplices [1], in units of `side`; one simplex after another. */
 static const double sizes[] = {1.0, -1.0, 0.3, 2.0, -0.3, -2.0};
@@ -85,7 +85,8 @@ static enum um_status measured_shape(struct um_context *context,
   UM_TRY(um_core_allocate(context, f->observations.count, sizeof *t, &t));
   for (size_t j = 0; j < f->observations.count; j++) {
     const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
-    if (c->quantity == UM_QUANTITY_TEMPERATURE && target != NULL && strcmp(c->of, target) == 0)
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && target != NULL &&
+        um_sensitivity_is_of(c->of, target))
       t[n++] = f->observations.measured[j];
   }
   qsort(t, n, sizeof *t, um_core_order_double);

@@ -8,11 +8,11 @@
 #include <string.h>
 
 #include "base/core/order.h"
+#include "evidence/sensitivity/candidates.h"
 #include "evidence/sensitivity/policy.h"
 #include "model/run/run.h"
 
-/* "body.+y" is also measured as "+y". */
-static bool is_of(const char *measured, const char *target)
+bool um_sensitivity_is_of(const char *measured, const char *target)
 {
   const char *dot = strchr(target, '.');
   return strcmp(measured, target) == 0 || (dot != NULL && strcmp(measured, dot + 1) == 0);
@@ -28,7 +28,7 @@ static enum um_status measured_cold(struct um_context *context,
   UM_TRY(um_core_allocate(context, f->observations.count, sizeof *value, &value));
   for (size_t j = 0; j < f->observations.count; j++) {
     const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
-    if (c->quantity == UM_QUANTITY_TEMPERATURE && is_of(c->of, target))
+    if (c->quantity == UM_QUANTITY_TEMPERATURE && um_sensitivity_is_of(c->of, target))
       value[n++] = f->observations.measured[j];
   }
   if (n > 0) {

@@ -51,11 +51,15 @@ static enum um_status add_parts(struct um_context *context, const struct um_mode
     for (size_t k = 0; k < um_geometry_group_count(g); k++)
       groups += um_geometry_group(g, k)->part == p;
     const struct um_scenario_part *part = scenario_part(model, um_geometry_part_name(g, p));
-    bool inside = (targets & UM_TARGET_INTERIOR) != 0 && part->interiors.count > 0;
-    if ((targets & UM_TARGET_PART) != 0 && !(inside && part->interior == NULL))
+    bool sides = (targets & UM_TARGET_PART_SIDE) != 0, inside = (targets & UM_TARGET_INTERIOR) != 0;
+    bool several = inside && part->interiors.count > 0;
+    /* the part's name is that of its walls where those are places, too */
+    if ((targets & UM_TARGET_PART) != 0 && (sides || !several || part->interior != NULL))
       UM_TRY(add(context, to, um_geometry_part_name(g, p), NULL));
-    if (inside) UM_TRY(add_interiors(context, part, to));
-    if ((targets & UM_TARGET_PART_SIDE) == 0) continue;
+    if (sides && inside && part->interior != NULL && !(part->interior->temperature_K > 0.0))
+      UM_TRY(add(context, to, part->name, "interior"));
+    if (several) UM_TRY(add_interiors(context, part, to));
+    if (!sides) continue;
     if (groups < 2 && (targets & UM_TARGET_PART) != 0) continue;
     for (size_t k = 0; k < um_geometry_group_count(g); k++)
       if (um_geometry_group(g, k)->part == p)

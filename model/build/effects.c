@@ -397,13 +397,16 @@ static void add_place(struct target_names *names, const char *part, const char *
   names->guess.nearest = names->side;
 }
 
-/* `interior` goes by the name of its part. */
-static void list_interiors(const struct um_model *model, struct target_names *names)
+/* `interior` goes by the name of its part, where that is not the name of the walls. */
+static void list_interiors(const struct um_model *model, bool walls, struct target_names *names)
 {
   const struct um_scenario_part *part = model->scenario->parts.items;
   for (size_t p = 0; p < model->scenario->parts.count; p++)
-    for (size_t i = part[p].interior != NULL ? 1 : 0; i < um_model_interior_count(&part[p]); i++)
-      add_place(names, part[p].name, um_model_interior_at(&part[p], i)->name);
+    for (size_t i = 0; i < um_model_interior_count(&part[p]); i++) {
+      const struct um_scenario_interior *interior = um_model_interior_at(&part[p], i);
+      if (interior->name != NULL || walls)
+        add_place(names, part[p].name, um_model_interior_name(interior));
+    }
 }
 
 static void list_targets(const struct um_model *model, uint32_t targets, struct target_names *names)
@@ -415,7 +418,8 @@ static void list_targets(const struct um_model *model, uint32_t targets, struct 
     const struct um_geometry_group *group = um_geometry_group(g, i);
     add_place(names, um_geometry_part_name(g, group->part), group->name);
   }
-  if ((targets & UM_TARGET_INTERIOR) != 0) list_interiors(model, names);
+  if ((targets & UM_TARGET_INTERIOR) != 0)
+    list_interiors(model, (targets & UM_TARGET_PART_SIDE) != 0, names);
   for (size_t i = 0; (targets & UM_TARGET_MATERIAL) != 0 && i < um_geometry_material_count(g); i++)
     add_target(names, um_geometry_material_name(g, i));
   for (size_t b = 0; (targets & UM_TARGET_BAND) != 0 && b < model->nband; b++)

@@ -22,18 +22,28 @@ static const struct um_sensitivity_candidate *named(const struct um_sensitivity_
 }
 
 /* Parts; groups where a part has several, beside the part; materials in use; bands where there is
- * more than one; places of contacts that touch different ones; switches that are off. What is one
- * thing under two names is there once: the contact of bus.interior and panel goes by "panel", that
- * of +x and -x by "bus.+x"; "bus" touches both. */
+ * more than one; the interior beside the walls for a thermostat; places of contacts that touch
+ * different ones; switches that are off. What is one thing under two names is there once: the
+ * contact of bus.interior and panel goes by "panel", that of +x and -x by "bus.+x"; "bus" touches
+ * both. */
 static void test_list(void **state)
 {
   (void)state;
   static const char *const only[] = {
-      "internal_power",      "zero_point",    "roughness", "time_tag",
-      "contact_conductance", "mli_emittance", "albedo",    "earth_ir"};
+      "internal_power", "zero_point", "roughness", "time_tag", "contact_conductance",
+      "mli_emittance",  "albedo",     "earth_ir",  "heater"};
   static const char *const expected[] = {"albedo",
                                          "internal_power:bus",
                                          "internal_power:panel",
+                                         "heater:bus",
+                                         "heater:bus.interior",
+                                         "heater:bus.+x",
+                                         "heater:bus.-x",
+                                         "heater:bus.+y",
+                                         "heater:bus.-y",
+                                         "heater:bus.+z",
+                                         "heater:bus.-z",
+                                         "heater:panel",
                                          "mli_emittance:bus",
                                          "mli_emittance:bus.+x",
                                          "mli_emittance:bus.-x",
@@ -65,6 +75,9 @@ static void test_list(void **state)
   assert_string_equal(c->why, "effect 'internal_power': the part 'panel' has no interior that "
                               "could take the power; accepted: a part with interior");
   assert_string_equal(um_core_message(context), "");
+  /* a thermostat begins at the temperature that its place was measured to have */
+  c = named(list, "heater:bus.interior");
+  assert_true(!c->insensitive && c->null_value[1] == 290.0);
   c = named(list, "albedo");
   assert_true(c->is_switch && !c->insensitive && c->ncolumn == 1);
   /* albedo warms: the whole change of a temperature observation is above 0 */
