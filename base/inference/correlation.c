@@ -24,7 +24,8 @@ static double kernel(const struct rows *r, size_t i, size_t j)
     double away = r->z[r->row[i] * r->ndimension + d] - r->z[r->row[j] * r->ndimension + d];
     square += away * away;
   }
-  return 0.5 * (exp(-0.5 * square) + 1.0);
+  double away = sqrt(3.0 * square);
+  return 0.5 * ((1.0 + away) * exp(-away) + 1.0);
 }
 
 /* Columns of G: [rank][n]; left: [n] diagonal of K - GG'. *rank: above the most where it is not

@@ -26,30 +26,34 @@ struct channel {
   const double *v;     /* [nrow] */
   const double *q;     /* [rank] */
   double square, rest; /* |v|^2, |v|^2 - |q|^2 */
+  double usual;        /* rms of a discrepancy; INFINITY: any */
 };
 
-/* -2 ln likelihood at b, with the best scale. */
-static double likelihood(const struct channel *c, double b, double *scale)
+/* -2 ln likelihood at b, with the best scale of `least` or more, and what the size of the
+ * discrepancy that is expected, sum (b^2 l_k / (1 + b^2 l_k) q_k)^2 / n, costs. */
+static double likelihood(const struct channel *c, double least, double b, double *scale)
 {
-  double n = (double)c->part->nrow, quadratic = c->rest, determinant = 0.0;
+  double n = (double)c->part->nrow, quadratic = c->rest, determinant = 0.0, size = 0.0;
   for (size_t k = 0; k < c->part->rank; k++) {
     double more = b * b * c->part->value[k];
     quadratic += c->q[k] * c->q[k] / (1.0 + more);
+    size += pow(more / (1.0 + more) * c->q[k], 2) / n;
     determinant += log1p(more);
   }
-  *scale = sqrt(fmax(1.0, quadratic / n));
-  return quadratic / (*scale * *scale) + 2.0 * n * log(*scale) + determinant;
+  *scale = fmax(least, sqrt(quadratic / n));
+  return quadratic / (*scale * *scale) + 2.0 * n * log(*scale) + determinant +
+         size / (c->usual * c->usual);
 }
 
 /* The best ratio: a grid in its logarithm, then thirds of the interval about its best. */
-static double best_ratio(const struct channel *c, double *value, double *scale)
+static double best_ratio(const struct channel *c, double least, double *value, double *scale)
 {
   enum { STEPS = 40, THIRDS = 20 };
   double low = log(UM_INFERENCE_RATIO_LEAST), high = log(UM_INFERENCE_RATIO_MOST);
   double step = (high - low) / STEPS, best = low, s;
   *value = INFINITY;
   for (int i = 0; i <= STEPS; i++) {
-    double now = likelihood(c, exp(low + i * step), &s);
+    double now = likelihood(c, least, exp(low + i * step), &s);
     if (!(now < *value)) continue;
     *value = now;
     best = low + i * step;
@@ -57,12 +61,12 @@ static double best_ratio(const struct channel *c, double *value, double *scale)
   double from = fmax(low, best - step), to = fmin(high, best + step);
   for (int i = 0; i < THIRDS; i++) {
     double a = from + (to - from) / 3.0, b = to - (to - from) / 3.0;
-    if (likelihood(c, exp(a), &s) < likelihood(c, exp(b), &s))
+    if (likelihood(c, least, exp(a), &s) < likelihood(c, least, exp(b), &s))
       to = b;
     else
       from = a;
   }
-  *value = likelihood(c, exp(0.5 * (from + to)), scale);
+  *value = likelihood(c, least, exp(0.5 * (from + to)), scale);
   return exp(0.5 * (from + to));
 }
 
@@ -101,40 +105,50 @@ static void gather(const struct um_inference_noise *noise, const part *p, const 
   for (size_t i = 0; i < p->nrow; i++) out[i] = v[p->row[i]] / noise->factor[p->row[i]];
 }
 
-/* The best of no, any one kind of discrepancy, for a channel; returns what it is worth. */
+/* -2 ln likelihood of white noise with the best scale of `least` or more. */
+static double white_likelihood(const struct channel *c, double least, double *scale)
+{
+  double n = (double)c->part->nrow;
+  *scale = fmax(least, sqrt(c->square / n));
+  return c->square / (*scale * *scale) + 2.0 * n * log(*scale);
+}
+
+/* The best of no, any one kind of discrepancy, for a channel; returns what it is worth. A
+ * discrepancy beside less noise than is stated must be worth more than less noise alone. */
 static double estimate_channel(struct um_inference_noise *noise, size_t c, const double *residual,
                                double *v, double *q)
 {
   const struct um_inference_noise_family *f = noise->family;
   struct um_inference_noise_channel *out = &noise->channel[c];
-  double cost = log((double)f->nobservation), least = 0.0;
+  double cost = log((double)f->nobservation), least = 0.0, white = 0.0;
   *out = (struct um_inference_noise_channel){.scale = 1.0};
   for (size_t k = 0; k < f->nkind; k++) {
     const part *p = part_of(f, k, c);
     if (p->nrow == 0) return 0.0;
     gather(noise, p, residual, v);
-    struct channel channel = {.part = p, .v = v, .q = q};
+    struct channel channel = {
+        .part = p, .v = v, .q = q, .usual = f->usual == NULL ? INFINITY : f->usual[c]};
     channel.square = channel.rest = um_inference_dot(p->nrow, v, v);
     for (size_t i = 0; i < p->rank; i++) {
       q[i] = um_inference_dot(p->nrow, p->basis + i * p->nrow, v);
       channel.rest -= q[i] * q[i];
     }
     channel.rest = fmax(0.0, channel.rest);
-    double value, scale, n = (double)p->nrow;
-    if (k == 0) { /* white */
-      least = channel.square;
-      scale = sqrt(fmax(1.0, channel.square / n));
-      value = channel.square / (scale * scale) + 2.0 * n * log(scale) + cost;
-      if (value < least) {
-        least = value;
-        out->scale = scale;
-      }
+    double value, scale;
+    if (k == 0) {
+      white = cost + white_likelihood(&channel, UM_INFERENCE_SCALE_LEAST, &scale);
+      value = cost + white_likelihood(&channel, 1.0, &scale);
+      least = fmin(value, channel.square);
+      out->scale = value < channel.square ? scale : 1.0;
     }
-    double ratio = best_ratio(&channel, &value, &scale);
-    value += scale > 1.0 ? 2.0 * cost : cost;
-    if (!(value < least)) continue;
-    least = value;
-    *out = (struct um_inference_noise_channel){scale, ratio, k};
+    static const double scales[] = {1.0, UM_INFERENCE_SCALE_LEAST};
+    for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+      double ratio = best_ratio(&channel, scales[i], &value, &scale);
+      value += scale != 1.0 ? 2.0 * cost : cost;
+      if (!(value < least) || (scale < 1.0 && !(value < white))) continue;
+      least = value;
+      *out = (struct um_inference_noise_channel){scale, ratio, k};
+    }
   }
   return least;
 }
@@ -197,7 +211,7 @@ static void foretell(const struct um_inference_noise *noise, size_t c, const dou
       for (size_t i = 0; i < p->nrow; i++) z[i] -= share * q * u[i];
     }
   }
-  for (size_t i = 0; i < p->nrow; i++) z[i] /= of->scale * sqrt(fmax(1e-12, own[i]));
+  for (size_t i = 0; i < p->nrow; i++) z[i] /= fmax(1.0, of->scale) * sqrt(fmax(1e-12, own[i]));
 }
 
 /* Whether row i of a channel stands out, alone or with one neighbour: three to one side are no

@@ -12,10 +12,13 @@ struct um_inference_noise_family {
   const size_t *channel; /* [nobservation]; rows of a channel in order of time; borrowed */
   size_t nkind;
   struct um_inference_correlation **kind; /* [nkind] borrowed */
+  /* [nchannel] how large a discrepancy is usually: the width of the normal prior of its rms, in
+   * sigma; NULL: any is as good. Borrowed */
+  const double *usual;
 };
 
 struct um_inference_noise_channel {
-  double scale; /* on sigma, 1 or more */
+  double scale; /* on sigma, 1 or more; beside a discrepancy it may be less */
   double ratio; /* root of the discrepancy's variance over scale sigma; 0: none */
   size_t kind;  /* of the family, where ratio is above 0 */
 };
@@ -28,8 +31,9 @@ struct um_inference_noise {
   struct um_inference_noise_channel *channel;     /* [nchannel] */
   double *factor;                                 /* [nobservation] 1; above: set aside */
   size_t noutlier;
-  /* of the residual it was estimated from: r'C^-1 r + ln det C + what outliers cost + ln n a number
-   * that was estimated; as chi-square for white noise of unit variance */
+  /* of the residual it was estimated from: r'C^-1 r + ln det C + what outliers cost + that of the
+   * prior of discrepancies + ln n a number that was estimated; as chi-square for white noise of
+   * unit variance */
   double worth;
   double *work; /* [nobservation] */
 };

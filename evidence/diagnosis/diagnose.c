@@ -226,37 +226,44 @@ done:
   return status;
 }
 
-/* What it costs that the effects were chosen among all that were tested: twice ln of the number of
- * ways (extended BIC of Chen & Chen 2008, Biometrika 95:759). */
-static double of_choice(const struct um_diagnosis *d)
+/* Whether a search through white noise stands whatever a discrepancy explains: it leaves noise, and
+ * has added nothing, or one effect that is not small. A discrepancy would explain a mere level, as
+ * a zero point, as well. */
+static bool stands(const struct um_diagnosis *d)
 {
-  double k = (double)d->naddition, n = fmax((double)um_diagnosis_tested(d), k);
-  return 2.0 * (lgamma(n + 1.0) - lgamma(k + 1.0) - lgamma(n - k + 1.0));
+  if (!um_diagnosis_is_noise(&d->final_whiteness)) return false;
+  if (d->naddition == 0) return true;
+  const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[0]);
+  return d->naddition == 1 && step != NULL && -step->delta_bic >= UM_DIAGNOSIS_SMALL;
 }
 
 /* Where what is left is not noise of the stated sigma, or a discrepancy explains as much as the
- * effects that were added: searches by what it is. */
+ * last of the effects that were added: searches by what it is. */
 static enum um_status search_with_noise(struct um_context *context, struct um_diagnosis_work *work,
                                         struct um_inference_noise *noise,
                                         struct um_diagnosis_discrepancy *discrepancy,
                                         struct um_diagnosis_state *state,
                                         struct um_diagnosis_state *bare, struct um_diagnosis **d)
 {
-  bool white = um_diagnosis_is_noise(&(*d)->final_whiteness), same = false;
-  if (white && (*d)->naddition < 2) return UM_OK; /* one effect alone that leaves noise stands */
-  UM_TRY(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
-  if (white) {
-    double rival;
-    UM_TRY(um_diagnosis_noise_bic(context, &discrepancy->family, NULL, bare->fit, &rival));
-    if (rival > (*d)->bic_after + of_choice(*d)) return UM_OK;
-  }
+  enum um_status status = UM_OK;
+  bool white = um_diagnosis_is_noise(&(*d)->final_whiteness), whole = true, same = false;
+  double *residual = NULL;
+  if (stands(*d)) return UM_OK;
+  UM_CHECK(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
+  UM_CHECK(
+      um_core_allocate(context, work->forward->observations.count, sizeof *residual, &residual));
+  UM_CHECK(
+      um_diagnosis_depth_find(context, work, &discrepancy->family, state, *d, residual, &whole));
+  if (white && whole) goto done;
   for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !same; round++) {
-    const double *residual = (white && round == 0 ? bare : state)->fit->residual;
+    const double *left = round == 0 ? residual : state->fit->residual;
     work->noise = noise;
-    UM_TRY(search_anew(context, work, &discrepancy->family, residual, state, bare, d, &same));
+    UM_CHECK(search_anew(context, work, &discrepancy->family, left, state, bare, d, &same));
     if (!(*d)->weighed) work->noise = NULL;
   }
-  return UM_OK;
+done:
+  um_core_free(context, residual);
+  return status;
 }
 
 /* What the search means, and what follows from it. */

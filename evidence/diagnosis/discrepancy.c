@@ -83,6 +83,25 @@ static enum um_status add_places(struct um_context *context, const struct um_sen
   return add(context, "the aspect of the body", 6, z, out);
 }
 
+/* Half of what is too large to be one (policy.h), in sigma: of temperatures in kelvin, of light as
+ * a share of it, and of sigma at least. out: [nchannel] */
+static void find_usual(const struct um_sensitivity_forward *f, double *out)
+{
+  const struct um_sensitivity_observations *o = &f->observations;
+  for (size_t c = 0; c < f->measurements->nchannel; c++) {
+    bool heat = f->measurements->channel[c].quantity == UM_QUANTITY_TEMPERATURE;
+    double sum = 0.0, n = 0.0;
+    for (size_t j = 0; j < o->count; j++) {
+      if (o->channel[j] != c) continue;
+      double most =
+          heat ? UM_DIAGNOSIS_LARGE_TEMPERATURE : UM_DIAGNOSIS_LARGE_LIGHT * fabs(o->measured[j]);
+      sum += pow(most / o->sigma[j], 2);
+      n += 1.0;
+    }
+    out[c] = 0.5 * fmax(UM_DIAGNOSIS_LARGE_SIGMAS, n > 0.0 ? sqrt(sum / n) : 0.0);
+  }
+}
+
 enum um_status um_diagnosis_discrepancy_create(struct um_context *context,
                                                const struct um_sensitivity_forward *forward,
                                                struct um_diagnosis_discrepancy *out)
@@ -93,6 +112,9 @@ enum um_status um_diagnosis_discrepancy_create(struct um_context *context,
                                                       .nchannel = forward->measurements->nchannel,
                                                       .channel = forward->observations.channel}};
   out->family.kind = out->kind;
+  UM_CHECK(um_core_allocate(context, out->family.nchannel, sizeof *out->usual, &out->usual));
+  find_usual(forward, out->usual);
+  out->family.usual = out->usual;
   UM_CHECK(um_core_allocate(context, 6 * forward->observations.count, sizeof *z, &z));
   UM_CHECK(add_time(context, forward, z, out));
   UM_CHECK(add_places(context, forward, z, out));
@@ -107,5 +129,6 @@ void um_diagnosis_discrepancy_release(struct um_context *context,
 {
   for (size_t i = 0; i < UM_DIAGNOSIS_KINDS_MAX; i++)
     um_inference_correlation_destroy(context, &discrepancy->kind[i]);
+  um_core_free(context, discrepancy->usual);
   *discrepancy = (struct um_diagnosis_discrepancy){0};
 }

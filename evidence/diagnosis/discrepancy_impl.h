@@ -11,6 +11,7 @@
  * aspect of the body. UM_ERR_MEMORY. The caller releases. */
 struct um_diagnosis_discrepancy {
   struct um_inference_noise_family family;
+  double *usual; /* [nchannel] of the family */
   struct um_inference_correlation *kind[UM_DIAGNOSIS_KINDS_MAX];
 };
 enum um_status um_diagnosis_discrepancy_create(struct um_context *context,

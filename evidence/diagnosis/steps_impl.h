@@ -140,6 +140,15 @@ enum um_status um_diagnosis_backward(struct um_context *context,
                                      const struct um_diagnosis_work *work,
                                      struct um_diagnosis_state *state, struct um_diagnosis *d);
 
+/* What is left [nobservation] after as many effects of a search through white noise as it should
+ * have added, were the rest a discrepancy of the family; *whole: all of them. depth.c has how.
+ * UM_ERR_MEMORY. */
+enum um_status um_diagnosis_depth_find(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       const struct um_inference_noise_family *family,
+                                       const struct um_diagnosis_state *state,
+                                       const struct um_diagnosis *d, double *residual, bool *whole);
+
 /* Record every step so far, before they are judged anew. */
 enum um_status um_diagnosis_superseded_take(struct um_context *context, struct um_diagnosis *d);
 /* Keep on record those that are neither in the final state nor in a step. */

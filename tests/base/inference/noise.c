@@ -21,8 +21,8 @@ static double root[ROWS][ROWS]; /* lower, of K in each channel */
 /* Rows by turns of two channels. */
 static double kernel(size_t i, size_t j)
 {
-  double away = ((double)i - (double)j) / LENGTH;
-  return i % 2 != j % 2 ? 0.0 : 0.5 * (exp(-0.5 * away * away) + 1.0);
+  double away = sqrt(3.0) * fabs((double)i - (double)j) / LENGTH;
+  return i % 2 != j % 2 ? 0.0 : 0.5 * ((1.0 + away) * exp(-away) + 1.0);
 }
 
 /* a [ROWS][ROWS] <- its Cholesky factor; returns ln det. */
@@ -70,7 +70,8 @@ static int set_up(void **state)
   cholesky(root);
   if (um_inference_correlation_create(context, "rows", ROWS, channel, 2, 1, z, &smooth) != UM_OK)
     return -1;
-  family = (struct um_inference_noise_family){ROWS, 2, channel, 1, &smooth};
+  family = (struct um_inference_noise_family){
+      .nobservation = ROWS, .nchannel = 2, .channel = channel, .nkind = 1, .kind = &smooth};
   return 0;
 }
 
@@ -135,7 +136,7 @@ static void test_likelihood(void **state)
                   dense(own, scale, ratio * f) - 0.5 * dense(zero, scale, ratio * f) + 1e-3);
     sum += here - base;
     numbers += ratio > 0.0 ? 1.0 : 0.0;
-    numbers += scale > 1.0 ? 1.0 : 0.0;
+    numbers += scale != 1.0 ? 1.0 : 0.0;
   }
   assert_close(noise.worth, sum + numbers * log(ROWS), 0.05);
   um_inference_noise_release(context, &noise);
@@ -170,8 +171,58 @@ static void test_estimates(void **state)
   assert_close(ratio, 0.0, 0.15);
 }
 
+/* Whose sigma is mostly the model's: noise of 0.3 sigma and a discrepancy of 0.9, both found within
+ * their scatter of 9 % and 25 %, and of noise of 0.3 sigma alone nothing but by chance. */
+static void test_less_than_stated(void **state)
+{
+  enum { DRAWS = 100 };
+  double r[ROWS], scale = 0.0, ratio = 0.0;
+  size_t white = 0;
+  (void)state;
+  for (uint64_t k = 0; k < DRAWS; k++) {
+    draw(um_core_hash(50, k), 0.3, 3.0, r);
+    struct um_inference_noise noise = estimate(r);
+    scale += log(noise.channel[0].scale / 0.3) / DRAWS;
+    ratio += log(fmax(noise.channel[0].ratio, 0.02) / 3.0) / DRAWS;
+    um_inference_noise_release(context, &noise);
+    draw(um_core_hash(51, k), 0.3, 0.0, r);
+    noise = estimate(r);
+    white += um_inference_noise_is_white(&noise);
+    um_inference_noise_release(context, &noise);
+  }
+  print_message("white %zu of %d, scale 0.3 exp(%.3f), ratio 3 exp(%.3f)\n", white, DRAWS, scale,
+                ratio);
+  assert_true((double)white >= 0.93 * DRAWS);
+  assert_close(scale, 0.0, 0.06);
+  assert_close(ratio, 0.0, 0.2);
+}
+
+/* A level of 10 sigma where discrepancies are usually 2: it costs (10 / 2)^2 more than where any is
+ * as good, less what a smaller one in its place saves; one of 1 sigma hardly anything. */
+static void test_usual(void **state)
+{
+  static const double usual[2] = {2.0, 2.0};
+  struct um_inference_noise_family any = family;
+  double worth[2][2];
+  (void)state;
+  for (size_t large = 0; large < 2; large++)
+    for (size_t i = 0; i < 2; i++) {
+      double r[ROWS];
+      draw(um_core_hash(52, 0), 1.0, 0.0, r);
+      for (size_t k = 0; k < ROWS; k += 2) r[k] += large != 0 ? 10.0 : 1.0;
+      family.usual = i == 0 ? NULL : usual;
+      struct um_inference_noise noise = estimate(r);
+      worth[large][i] = noise.worth;
+      um_inference_noise_release(context, &noise);
+    }
+  family = any;
+  print_message("costs %.2f, %.2f\n", worth[0][1] - worth[0][0], worth[1][1] - worth[1][0]);
+  assert_close(worth[0][1] - worth[0][0], 0.25, 0.15);
+  assert_close(worth[1][1] - worth[1][0], 25.0, 2.5);
+}
+
 /* Four spikes of 8 to 14 sigma are set aside on white noise; on a discrepancy, which a spike's
- * neighbours foretell less well, nine in ten. Three neighbours that are off alike, as in a glint
+ * neighbours foretell less well, two in three. Three neighbours that are off alike, as in a glint
  * that the model misses, are not. */
 static void test_outliers(void **state)
 {
@@ -194,7 +245,7 @@ static void test_outliers(void **state)
     um_inference_noise_release(context, &noise);
   }
   print_message("%zu of 80 on a discrepancy\n", found);
-  assert_true(found >= 68);
+  assert_true(found >= 53);
   double r[ROWS];
   draw(um_core_hash(47, 0), 1.0, 0.0, r);
   for (size_t i = 50; i < 56; i += 2) r[i] += 9.0;
@@ -275,7 +326,8 @@ static enum um_status everything(struct um_context *c)
   for (size_t i = 0; i < ROWS; i++) z[i] = (double)i / LENGTH;
   enum um_status status = um_inference_correlation_create(c, "", ROWS, channel, 2, 1, z, &k);
   if (status == UM_OK) {
-    struct um_inference_noise_family f = {ROWS, 2, channel, 1, &k};
+    struct um_inference_noise_family f = {
+        .nobservation = ROWS, .nchannel = 2, .channel = channel, .nkind = 1, .kind = &k};
     status = um_inference_noise_estimate(c, &f, swept, NULL, &noise);
     if (status == UM_OK) um_inference_noise_release(c, &noise);
   }
@@ -296,6 +348,8 @@ int main(void)
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_root_and_worth),
                                      cmocka_unit_test(test_likelihood),
                                      cmocka_unit_test(test_estimates),
+                                     cmocka_unit_test(test_less_than_stated),
+                                     cmocka_unit_test(test_usual),
                                      cmocka_unit_test(test_outliers),
                                      cmocka_unit_test(test_fit),
                                      cmocka_unit_test(test_memory)};
