@@ -185,21 +185,24 @@ static size_t say_classes(struct um_diagnosis_words *text, const struct um_diagn
   return more;
 }
 
-static void say_unexplained(struct um_diagnosis_words *text, const struct um_diagnosis *d,
-                            size_t *left)
+/* Returns how many were left out. */
+static size_t say_unexplained(struct um_diagnosis_words *text, const struct um_diagnosis *d,
+                              size_t *left)
 {
+  size_t more;
   if (d->candidates == NULL) { /* chosen, not found */
-    um_diagnosis_words_class(text, d, UM_DIAGNOSIS_CHOSEN, "Fitted: ", "And: ", left);
+    more = um_diagnosis_words_class(text, d, UM_DIAGNOSIS_CHOSEN, "Fitted: ", "And: ", left);
     add(text, " What is left is not noise.");
-    return;
+    return more;
   }
   add(text, "%s",
       d->naddition == 0 ? claim(d)
       : d->chosen       ? "The effects asked for do not explain all of it."
                         : "The effects of the catalogue do not explain all of it.");
-  say_classes(text, d, "Certain all the same: ", "Certain, too: ", left);
+  more = say_classes(text, d, "Certain all the same: ", "Certain, too: ", left);
   add_residual(text, d);
   add_heat(text, d->unexplained);
+  return more;
 }
 
 void um_diagnosis_say_effects(const struct um_diagnosis *d, size_t most,
@@ -224,7 +227,7 @@ void um_diagnosis_say_effects(const struct um_diagnosis *d, size_t most,
     more = say_classes(text, d, "Certain: ", "Certain, too: ", &most);
     break;
   case UM_VERDICT_UNEXPLAINED:
-    say_unexplained(text, d, &most);
+    more = say_unexplained(text, d, &most);
     break;
   }
   if (more > 0) add(text, " %zu smaller one%s more.", more, more == 1 ? "" : "s");

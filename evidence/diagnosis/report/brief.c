@@ -160,9 +160,9 @@ static void say_next(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMMARY
       next = &d->next_of[i];
   if (next == NULL) return;
   if (next->what != NULL) um_diagnosis_report_next_text(next, text);
-  snprintf(out, UM_DIAGNOSIS_SUMMARY_MAX, "To tell %s from %s: %s.",
+  snprintf(out, UM_DIAGNOSIS_SUMMARY_MAX, "To tell %s from %s%s: %s.",
            d->candidates->candidate[d->step[next->step].candidate].name,
-           d->candidates->candidate[next->candidate].name,
+           d->candidates->candidate[next->candidate].name, next->what != NULL ? ", measure" : "",
            next->what != NULL ? text : behind_names(next->told_apart_by));
 }
 

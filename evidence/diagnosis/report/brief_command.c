@@ -43,7 +43,9 @@ static const char *group_leader(const struct um_diagnosis *d)
 static void put_folder(FILE *file, const char *folder, const char *behind)
 {
   char beside[4096];
-  snprintf(beside, sizeof beside, "%s-%s", folder, behind);
+  size_t n = strlen(folder);
+  while (n > 1 && folder[n - 1] == '/') n--;
+  snprintf(beside, sizeof beside, "%.*s-%s", (int)n, folder, behind);
   fputs(" --out ", file);
   um_core_text_put_word(file, beside);
   fputc('\n', file);

@@ -124,6 +124,9 @@ static void test_found(void **state)
              "'out/my pass-after'\n");
   has(brief, "\nThe rest is in out/my pass/diagnosis.txt; to look at: out/my pass/report.html\n");
   um_core_free(context, brief);
+  assert_ok(um_diagnosis_report_brief(context, &d, COMMAND, "out/", &brief));
+  has(brief, " m.csv --out out-after\n"); /* beside the folder, not in it */
+  um_core_free(context, brief);
   w.forward->options.allow_effects = true; /* the improved scenario has code in it */
   brief = brief_of(&d);
   w.forward->options.allow_effects = false;
@@ -169,7 +172,7 @@ static void test_group(void **state)
                 "(internal_power:bus power_W 41.50 +- 0.70 W, 62 %); or a surface emits");
   says(brief, "(emittance:grey_white factor 0.900 +- 0.020, 38 %). Reduced ");
   has(brief,
-      "\nTo tell internal_power:bus from emittance:grey_white: temperature of bus.+y in the");
+      "\nTo tell internal_power:bus from emittance:grey_white, measure: temperature of bus.+y");
   says(brief, " is worth a chi-square of 12. ");
   has(brief, "\nWhere you know that it is not internal_power:bus, type: " COMMAND
              " --exclude internal_power:bus --out 'out/my pass-without'\n");
