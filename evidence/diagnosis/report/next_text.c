@@ -30,9 +30,8 @@ void um_diagnosis_report_next_text(const struct um_diagnosis_next *next,
   time_text(next->from, from);
   time_text(next->to, to);
   snprintf(out, UM_DIAGNOSIS_NEXT_TEXT,
-           "%s, %s to %s; an observation of sigma %.3g %s there is worth a chi-square of %.3g",
-           next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
-           next->chi2_difference);
+           "%s, %s to %s; a value of sigma %.3g %s there is worth a chi-square of %.3g", next->what,
+           from, to, next->sigma, um_compare_quantity_unit(next->quantity), next->chi2_difference);
 }
 
 bool um_diagnosis_report_next_same(const struct um_diagnosis_next *a,
