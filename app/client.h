@@ -86,7 +86,7 @@ struct um_app_options {
   bool view;                      /* of check: --view */
   int port;                       /* of serve: --port; 0: any that is free */
   bool times;                     /* of forecast: --times */
-  bool force, json, thermal, optics, no_plots, allow_effects;
+  bool force, json, thermal, optics, no_plots, details, allow_effects;
   bool grey_body; /* of synth: --grey-body */
   /* of study and forecast: --workers (0: not said), --share; of diagnose and fit, too: --resume */
   int workers;

@@ -7,6 +7,8 @@
 #include "base/batch/each.h"
 #include "base/core/digest.h"
 #include "base/core/file_snapshot.h"
+#include "evidence/diagnosis/report/brief.h"
+#include "evidence/diagnosis/report/text.h"
 #include "evidence/diagnosis/report/write.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "model/build/build.h"
@@ -80,6 +82,7 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
                                        struct um_app_diagnosis *work)
 {
   const struct um_diagnosis *d = work->diagnosis;
+  char *brief;
   UM_TRY(um_diagnosis_report_write(context, d, options->command, UM_APP_VERSION, !options->no_plots,
                                    work->folder));
   UM_TRY(um_core_folder_commit(context, &work->folder));
@@ -87,7 +90,15 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
   um_app_terminal_clear();
   if (options->json)
     return um_diagnosis_report_write_json(context, d, options->command, UM_APP_VERSION, stdout);
-  return um_app_diagnosis_print(context, d, work->out);
+  if (options->details) {
+    UM_TRY(um_diagnosis_report_write_text(context, d, stdout));
+    um_app_tell_results(work->out);
+    return UM_OK;
+  }
+  UM_TRY(um_diagnosis_report_brief(context, d, options->command, work->out, &brief));
+  fputs(brief, stdout);
+  um_core_free(context, brief);
+  return UM_OK;
 }
 
 void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work)

@@ -34,10 +34,4 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
 /* What was computed stays on record where results were not written, and the message says so. */
 void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work);
 
-/* The tables for a person (diagnosis_print.c). */
-enum um_status um_app_diagnosis_print(struct um_context *context,
-                                      const struct um_diagnosis *diagnosis, const char *folder);
-/* The part of them that says what is left open (diagnosis_print_next.c). */
-void um_app_diagnosis_print_next(const struct um_diagnosis *diagnosis);
-
 #endif

@@ -6,19 +6,23 @@
 #include "app/target.h"
 #include "base/core/file.h"
 #include "base/core/replay.h"
+#include "base/core/text.h"
 
+/* The command as it can be typed again; NULL: no memory. */
 static char *join(int argc, char **argv)
 {
-  size_t n = 16;
-  for (int i = 1; i < argc; i++) n += strlen(argv[i]) + 1;
-  char *text = calloc(n, 1);
-  if (text == NULL) return NULL;
-  strcpy(text, "umbra");
+  char *text = NULL;
+  size_t n;
+  FILE *file = open_memstream(&text, &n);
+  if (file == NULL) return NULL;
+  fputs("umbra", file);
   for (int i = 1; i < argc; i++) {
-    strcat(text, " ");
-    strcat(text, argv[i]);
+    fputc(' ', file);
+    um_core_text_put_word(file, argv[i]);
   }
-  return text;
+  if (fclose(file) == 0) return text;
+  free(text);
+  return NULL;
 }
 
 static enum um_status write_record(struct um_context *context, const char *path)

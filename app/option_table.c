@@ -282,6 +282,8 @@ static const struct um_app_option table[] = {
              "which Fresnel's reflectance counts, not its finish."},
     {"angle", "angle", "DEG", .takes = UM_APP_TEXT, AT(angle), .default_value = "30",
      .example = "--angle 10", .help = "Angle of incidence of --from-reflectance."},
+    {"details", "details", .takes = UM_APP_FLAG, AT(details),
+     .help = "Print the tables of diagnosis.txt in place of a short account."},
     {"json", "json", .takes = UM_APP_FLAG, AT(json),
      .help = "Print JSON, for another program to read. umbra help COMMAND --json has its schema."},
     {"thermal", "thermal", .takes = UM_APP_FLAG, AT(thermal), .help = "Only the cases of heat."},

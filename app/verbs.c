@@ -139,7 +139,7 @@ static const struct um_app_verb verbs[] = {
      .run = um_app_sensitivity, .group = UM_APP_EXPLORE},
     {"diagnose", "SCENARIO [MEASURED...]",
      "which effect the scenario lacks, or that it cannot be told",
-     .accepts = "out " CHANGES " only exclude nuisance level steps resume " RESULTS,
+     .accepts = "out " CHANGES " only exclude nuisance level steps resume details " RESULTS,
      .about =
          "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
          "be and what to measure next. Several files are sets of one satellite: what is done to "
@@ -150,7 +150,7 @@ static const struct um_app_verb verbs[] = {
                  "zero_point:lwir,sigma=0.05\n",
      .run = um_app_diagnose, .group = UM_APP_COMPARE},
     {"fit", "SCENARIO [MEASURED...]", "parameters of chosen effects, fitted to measurements",
-     .needs = "add", .accepts = "out " CHANGES " nuisance resume " RESULTS,
+     .needs = "add", .accepts = "out " CHANGES " nuisance resume details " RESULTS,
      .about = "Values with their uncertainty, and a scenario with them in improved/.",
      .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
      .run = um_app_fit, .group = UM_APP_COMPARE},

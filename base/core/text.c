@@ -56,6 +56,29 @@ void um_core_text_put(FILE *file, const char *text)
   }
 }
 
+static bool is_plain_in_a_shell(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         (unsigned char)c >= 0x80 || (c != '\0' && strchr("@%+=:,./_-", c) != NULL);
+}
+
+void um_core_text_put_word(FILE *file, const char *text)
+{
+  bool plain = text[0] != '\0';
+  for (const char *c = text; *c != '\0'; c++) plain = plain && is_plain_in_a_shell(*c);
+  if (!plain) fputc('\'', file);
+  for (size_t n; *text != '\0'; text += n) {
+    long c = um_core_text_character(text, &n);
+    if (c < 0 || um_core_text_is_unseen(c))
+      fputc('?', file);
+    else if (c == '\'') /* ends the quotes, stands by itself, and begins them again */
+      fputs("'\\''", file);
+    else
+      fwrite(text, 1, n, file);
+  }
+  if (!plain) fputc('\'', file);
+}
+
 void um_core_text_make_line(char *text)
 {
   for (size_t n; *text != '\0'; text += n) {

@@ -23,7 +23,10 @@ bool um_core_text_runs(char first);
 /* Print a text in one line: '?' for each byte that is no UTF-8 or of a character that is not seen.
  * For what others named, as files. Errors of writing are the stream's. */
 void um_core_text_put(FILE *file, const char *text);
-/* The same in place: control characters of one byte become blanks. */
+/* Print a text as one word of a command line of POSIX sh, to be shown and copied: in quotes where
+ * it holds more than letters, digits, bytes above ASCII and @%+=:,./_-. '?' as above. */
+void um_core_text_put_word(FILE *file, const char *text);
+/* The first in place: control characters of one byte become blanks. */
 void um_core_text_make_line(char *text);
 
 /* May this name a thing? Names reach tables, scripts of pictures and messages: a backtick, a double

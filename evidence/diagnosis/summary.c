@@ -1,197 +1,31 @@
-/* The verdict in words. Where something is found, it is named first. Where the verdict abstains,
- * the residual is described first. Each effect has its class of confidence. */
+/* The verdict in words. What is missing comes first, in the words of the effects. Where the verdict
+ * abstains it accuses nobody: it says what is certain, groups as groups, and what the residual
+ * looks like. */
 #include <math.h>
-#include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/steps_impl.h"
+#include "evidence/diagnosis/summary_impl.h"
 #include "evidence/diagnosis/value_text.h"
 #include "orbit/time.h"
 
-#define NOT_TRIED "; not fitted, though the linear model rates them as good: "
-
-struct text {
-  char at[8192];
-  size_t used;
-};
-
-static void add(struct text *text, const char *format, ...) UM_PRINTF(2, 3);
-static void add(struct text *text, const char *format, ...)
-{
-  va_list list;
-  va_start(list, format);
-  int n = vsnprintf(text->at + text->used, sizeof text->at - text->used, format, list);
-  va_end(list);
-  if (n > 0) text->used += (size_t)n;
-  if (text->used >= sizeof text->at) text->used = sizeof text->at - 1;
-}
-
-/* "emittance:white factor 0.9 +- 0.01 (emittance 0.77 instead of 0.85)" */
-static void add_use(struct text *text, const struct um_diagnosis *d, const struct um_effect *effect,
-                    const char *target, const double *value, const double *sigma)
-{
-  char values[UM_DIAGNOSIS_VALUES_MAX];
-  um_diagnosis_values_text(d->forward, effect, target, value, sigma, values);
-  add(text, "%s%s%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "",
-      values[0] != '\0' ? " " : "", values);
-}
-
-static void add_addition(struct text *text, const struct um_diagnosis *d,
-                         const struct um_model_addition *a, const double *sigma)
-{
-  add_use(text, d, a->effect, a->target, a->value, sigma);
-}
-
-/* One that was fitted, with its values. */
-static void add_alternative(struct text *text, const struct um_diagnosis *d,
-                            const struct um_diagnosis_alternative *r)
-{
-  const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
-  add_use(text, d, c->effect, c->target, r->value, r->sigma);
-}
-
-/* ---- alternatives of one effect ---- */
-
-/* Alternatives that only their prior or the end of their range excludes. */
-static void add_excluded(struct text *text, const struct um_diagnosis *d,
-                         const struct um_diagnosis_step *step)
-{
-  for (size_t i = 1; i < step->nalternative; i++) {
-    const struct um_diagnosis_alternative *r = &step->alternative[i];
-    const struct um_sensitivity_candidate *c = &d->candidates->candidate[r->candidate];
-    bool tied = step->by_prior && r->indistinguishable;
-    if (!tied && !r->excluded_by_prior && !r->excluded_by_range) continue;
-    add(text, "; ");
-    add_alternative(text, d, r);
-    if (r->excluded_by_range)
-      add(text, " would fit as well, but its range ends there");
-    else
-      add(text, " fits as well, but is %.2g prior widths from the usual value",
-          um_diagnosis_prior_widths(c, r->value));
-  }
-}
-
-/* The next best that is neither tied nor excluded, and the same effect with another switch value.
- */
-static void add_next_best(struct text *text, const struct um_diagnosis *d,
-                          const struct um_diagnosis_step *step)
-{
-  bool said = false;
-  for (size_t i = 1; i < step->nalternative; i++) {
-    const struct um_diagnosis_alternative *r = &step->alternative[i];
-    double behind = r->bic - step->alternative[0].bic;
-    if (!r->fitted || r->indistinguishable || r->excluded_by_prior || r->excluded_by_range)
-      continue;
-    if (!(behind < UM_DIAGNOSIS_NEXT_BEST) || (said && !r->same_effect)) continue;
-    add(text, "; %s", r->same_effect ? "or " : "next best ");
-    add_alternative(text, d, r);
-    add(text, " (BIC %+.1f)", behind);
-    said = said || !r->same_effect;
-  }
-}
-
-/* The label, and the first few names of the alternatives that are tied, or that were not tried. */
-static void add_names(struct text *text, const struct um_diagnosis *d,
-                      const struct um_diagnosis_step *step, bool not_tried, const char *label)
-{
-  size_t others = 0, n = 0;
-  for (size_t i = 1; i < step->nalternative; i++) {
-    const struct um_diagnosis_alternative *r = &step->alternative[i];
-    if (!(not_tried ? r->not_tried : r->indistinguishable)) continue;
-    others++;
-    if (n == UM_DIAGNOSIS_NAMES) continue;
-    add(text, "%s%s", n++ == 0 ? label : ", ", d->candidates->candidate[r->candidate].name);
-  }
-  if (others > n) add(text, " and %zu more", others - n);
-}
-
-/* The alternatives of a group, with their values. */
-static void add_group(struct text *text, const struct um_diagnosis *d,
-                      const struct um_diagnosis_step *step)
-{
-  for (size_t i = 1; i < step->nalternative; i++) {
-    if (!step->alternative[i].indistinguishable) continue;
-    add(text, " or ");
-    add_alternative(text, d, &step->alternative[i]);
-  }
-  add_names(text, d, step, true, NOT_TRIED);
-}
-
-static void add_small(struct text *text, const struct um_diagnosis *d,
-                      const struct um_diagnosis_step *step)
-{
-  add(text, ", worth %.3g in BIC", -step->delta_bic);
-  add_names(text, d, step, false, ", or ");
-  add_names(text, d, step, true, NOT_TRIED);
-}
-
-/* ---- the effects ---- */
-
-/* The effects of a class of confidence, behind its label. */
-static void add_confidence(struct text *text, const struct um_diagnosis *d,
-                           enum um_diagnosis_confidence confidence, const char *label)
-{
-  size_t n = 0;
-  for (size_t i = 0; i < d->naddition; i++) {
-    const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[i]);
-    if (step == NULL || step->confidence != confidence) continue;
-    add(text, "%s%s", n > 0 && confidence == UM_CONFIDENCE_CERTAIN ? " and " : label,
-        n > 0 && confidence == UM_CONFIDENCE_CERTAIN ? "" : ": ");
-    add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
-    if (confidence == UM_CONFIDENCE_ONE_OF_GROUP) add_group(text, d, step);
-    if (confidence == UM_CONFIDENCE_SMALL) add_small(text, d, step);
-    if (confidence != UM_CONFIDENCE_SMALL) {
-      add_excluded(text, d, step);
-      add_next_best(text, d, step);
-    }
-    n++;
-  }
-}
-
-static void add_all(struct text *text, const struct um_diagnosis *d, const char *label)
-{
-  for (size_t i = 0; i < d->naddition; i++) {
-    add(text, "%s", i == 0 ? label : " and ");
-    add_addition(text, d, &d->addition[i], d->addition_sigma[i]);
-    const struct um_diagnosis_step *step = um_diagnosis_step_of(d, &d->addition[i]);
-    if (step == NULL) continue;
-    add_excluded(text, d, step);
-    add_next_best(text, d, step);
-  }
-}
-
-static void add_superseded(struct text *text, const struct um_diagnosis *d)
-{
-  for (size_t i = 0; i < d->nsuperseded; i++) {
-    const struct um_diagnosis_superseded *s = &d->superseded[i];
-    if (!s->alone || s->bic - d->bic_after > UM_DIAGNOSIS_FAR_BEHIND) continue;
-    add(text, ". Found first and then replaced: ");
-    add_addition(text, d, &s->addition, s->sigma);
-    add(text, " (BIC %+.1f)", s->bic - d->bic_after);
-  }
-}
-
-static void add_fall(struct text *text, const struct um_diagnosis *d)
-{
-  add(text, ". Reduced chi-square falls from %.4g to %.4g", d->chi2_reduced, d->chi2_reduced_after);
-  if (d->allowance && !d->weighed)
-    add(text, "; what is left is not quite noise (p %.1g)",
-        fmin(d->final_whiteness.p_chi2,
-             fmin(d->final_whiteness.p_white, d->final_whiteness.p_worst)));
-}
+#define add um_diagnosis_words_add
 
 /* ---- what is left ---- */
 
-static void add_channel(struct text *text, const struct um_diagnosis *d, size_t channel)
+static void add_channel(struct um_diagnosis_words *text, const struct um_diagnosis *d,
+                        size_t channel)
 {
   const struct um_compare_channel *c = &d->forward->measurements->channel[channel];
-  add(text, "%s %s", um_compare_quantity_name(c->quantity), c->of);
+  add(text, "%s %s", um_compare_quantity_name(c->quantity), c->label);
 }
 
 /* How what is left differs from noise of the stated sigma. between: before the first one. */
-static void add_scatter(struct text *text, const struct um_diagnosis *d, const char *between)
+static void add_scatter(struct um_diagnosis_words *text, const struct um_diagnosis *d,
+                        const char *between)
 {
   for (size_t i = 0; i < d->nscatter; i++) {
     const struct um_diagnosis_scatter *s = &d->scatter[i];
@@ -216,24 +50,55 @@ static void add_scatter(struct text *text, const struct um_diagnosis *d, const c
   if (d->noutlier > 0)
     add(text, "%s%zu row%s set aside as outliers", between, d->noutlier,
         d->noutlier == 1 ? " is" : "s are");
+  if (d->nscatter + d->noutlier > 0) add(text, ".");
 }
 
 /* ---- verdicts that abstain ---- */
 
-static void add_residual(struct text *text, const struct um_diagnosis *d)
+/* "since_shadow_entry_s" as a person says it; as it is where this list does not know it. */
+static const char *coordinate_words(const char *coordinate, char out[160])
+{
+  static const struct {
+    const char *name, *words;
+  } known[] = {{"time_s", "time"},
+               {"model", "how large the value is"},
+               {"phase_angle_deg", "the phase angle"},
+               {"range_km", "the distance to the observer"},
+               {"moon_separation_deg", "the distance from the Moon in the sky"},
+               {"azimuth_deg", "the azimuth"},
+               {"elevation_deg", "the elevation"},
+               {"sun_elevation_deg", "the elevation of the Sun at the station"},
+               {"sunlit_fraction", "how much of the Sun's disc is seen"},
+               {"since_shadow_entry_s", "the time since it entered the shadow"},
+               {"since_shadow_exit_s", "the time since it left the shadow"},
+               {"spin_phase", "the phase of the spin"},
+               {"albedo_W_m2", "the sunlight that the Earth reflects"},
+               {"earth_view", "how much of the Earth it sees"}};
+  static const char sun[] = "sun_on.", unit[] = "_W_m2";
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+    if (strcmp(coordinate, known[i].name) == 0) return known[i].words;
+  size_t n = strlen(coordinate), before = sizeof sun - 1, behind = sizeof unit - 1;
+  if (strncmp(coordinate, sun, before) != 0 || n < before + behind) return coordinate;
+  snprintf(out, 160, "the sunlight on %.*s", (int)(n - before - behind), coordinate + before);
+  return out;
+}
+
+static void add_residual(struct um_diagnosis_words *text, const struct um_diagnosis *d)
 {
   const struct um_missing_heat_residual *r = &d->residual;
+  char words[160];
   if (r->channel == NULL) return;
   add(text,
-      "the residual is worst in %s (chi-square %.3g per observation; measured %.2g sigma %s the "
-      "model on average)",
-      r->channel, r->chi2_reduced, fabs(r->mean), r->mean < 0.0 ? "below" : "above");
+      " The scenario is off most in %s (measured %.2g sigma %s it on average, chi-square %.3g "
+      "per observation)",
+      r->channel, fabs(r->mean), r->mean < 0.0 ? "below" : "above", r->chi2_reduced);
   if (r->coordinate != NULL && r->p < UM_DIAGNOSIS_CORRELATES)
-    add(text, " and correlates with %s", r->coordinate);
+    add(text, ", and that goes with %s", coordinate_words(r->coordinate, words));
+  add(text, ".");
 }
 
 /* Effects that a free nuisance which moved may stand for. */
-static void add_absorbed(struct text *text, const struct um_diagnosis *d)
+static void add_absorbed(struct um_diagnosis_words *text, const struct um_diagnosis *d)
 {
   size_t n = 0;
   for (size_t i = 0; i < d->nranking && n < 6; i++) {
@@ -243,34 +108,17 @@ static void add_absorbed(struct text *text, const struct um_diagnosis *d)
   }
 }
 
-static void add_heat(struct text *text, const struct um_missing_heat_unexplained *u)
+static void add_heat(struct um_diagnosis_words *text, const struct um_missing_heat_unexplained *u)
 {
-  char start[40], shape[UM_MISSING_HEAT_TEXT];
+  char start[40], shape[UM_MISSING_HEAT_TEXT], energy[80];
   if (u == NULL || u->nheat == 0 || !(u->heat[0].energy_sigma > 0.0)) return; /* rows see no heat */
   const struct um_missing_heat *h = &u->heat[0];
   um_orbit_time_format(h->course.start, start);
   um_missing_heat_text(h, shape);
-  add(text, ". %s %.4g +- %.2g J in %s from %s +- %.2g s%s",
-      u->found ? "Missing heat explains it:" : "Missing heat explains only a part:", h->energy,
-      h->energy_sigma, h->place, start, h->start_sigma, shape);
-}
-
-static void say_not_identifiable(struct text *text, const struct um_diagnosis *d)
-{
-  if (d->naddition == 0) {
-    add(text,
-        "Not identifiable: a free nuisance has moved far, and what it stands for cannot be known");
-    add_absorbed(text, d);
-    return;
-  }
-  add(text, "Not identifiable: ");
-  add_residual(text, d);
-  add_confidence(text, d, UM_CONFIDENCE_CERTAIN, ". Certain");
-  add_confidence(text, d, UM_CONFIDENCE_UNCERTAIN, ". Needed, but within two sigmas of no effect");
-  add_confidence(text, d, UM_CONFIDENCE_ONE_OF_GROUP, ". One of a group");
-  add_confidence(text, d, UM_CONFIDENCE_SMALL, ". Small and unknown");
-  add_superseded(text, d);
-  add_fall(text, d);
+  um_diagnosis_value_text(h->energy, h->energy_sigma, "+-", energy);
+  add(text, " %s %s J in %s from %s +- %.2g s%s.",
+      u->found ? "Missing heat explains it:" : "Missing heat explains only a part:", energy,
+      h->place, start, h->start_sigma, shape);
 }
 
 /* That nothing explains the residual. It claims no more than was tried. */
@@ -278,76 +126,133 @@ static const char *claim(const struct um_diagnosis *d)
 {
   size_t untested = 0;
   for (size_t i = 0; i < d->nmissed; i++) untested += !d->missed[i].tested;
-  if (d->chosen && untested >= d->nasked) return "none of the effects asked for could be tried";
-  if (d->chosen) return "none of the effects asked for explains it";
-  return untested > 0 ? "no effect of the catalogue that could be tried explains it"
-                      : "no effect of the catalogue explains it";
+  if (d->chosen && untested >= d->nasked) return "None of the effects asked for could be tried.";
+  if (d->chosen) return "None of the effects asked for explains the measurements.";
+  return untested > 0 ? "No effect of the catalogue that could be tried explains the measurements."
+                      : "No effect of the catalogue explains the measurements.";
 }
 
-/* Candidates that were not fitted, each with its reason. tested: also those that were tested. */
-static void add_missed(struct text *text, const struct um_diagnosis *d, bool tested)
+static bool is_missed(const struct um_diagnosis *d, size_t i)
 {
-  size_t n = 0, more = 0;
-  for (size_t i = 0; d->chosen && i < d->nmissed; i++) {
-    const struct um_diagnosis_missed *m = &d->missed[i];
-    if (m->tested && !tested) continue;
-    if (n < UM_DIAGNOSIS_NAMES)
-      add(text, "%s%s (%s)", n == 0 ? "; not tried: " : ", ", m->name, m->why);
-    else
-      more++;
-    n++;
-  }
-  if (more > 0) add(text, " and %zu more", more);
+  bool tested = d->verdict == UM_VERDICT_UNEXPLAINED && d->naddition == 0;
+  return d->chosen && (tested || !d->missed[i].tested);
 }
 
-static void say_unexplained(struct text *text, const struct um_diagnosis *d)
+void um_diagnosis_say_missed(const struct um_diagnosis *d, size_t most,
+                             char out[UM_DIAGNOSIS_SUMMARY_MAX])
 {
-  if (d->candidates == NULL) { /* chosen, not found */
-    add_all(text, d, "Fitted: ");
-    add_fall(text, d);
-    add(text, "; what is left is not noise");
+  struct um_diagnosis_words words = {out, UM_DIAGNOSIS_SUMMARY_MAX, 0}, *text = &words;
+  size_t n = 0, said = 0;
+  out[0] = '\0';
+  for (size_t i = 0; i < d->nmissed; i++) n += is_missed(d, i);
+  if (n == 0) return;
+  if (most == 1 && n > 1) {
+    add(text, "%zu of the effects asked for were not tried.", n);
     return;
   }
-  add(text, "Unexplained: ");
-  add_residual(text, d);
-  if (d->naddition == 0) {
-    add(text, "%s%s", d->residual.channel != NULL ? "; " : "", claim(d));
-    add_missed(text, d, true);
-  } else {
-    add_all(text, d, ". The best of the catalogue only mimics it: ");
-    add_fall(text, d);
-    add(text, "; what is left is not noise");
+  for (size_t i = 0; i < d->nmissed && said < most; i++)
+    if (is_missed(d, i))
+      add(text, "%s%s (%s)", said++ == 0 ? "Not tried: " : ", ", d->missed[i].name,
+          d->missed[i].why);
+  if (n > said) add(text, " and %zu more", n - said);
+  add(text, ".");
+}
+
+/* ---- verdicts ---- */
+
+static void say_complete(struct um_diagnosis_words *text, const struct um_diagnosis *d)
+{
+  if (d->nscatter + d->noutlier == 0)
+    add(text, "Nothing is missing: what is left is noise of the stated sigma.");
+  else
+    add_scatter(text, d, "Nothing is missing, but ");
+}
+
+/* The effects of all classes; how many were left out, of those that it may name. */
+static size_t say_classes(struct um_diagnosis_words *text, const struct um_diagnosis *d,
+                          const char *certain, const char *again, size_t *left)
+{
+  size_t more = um_diagnosis_words_class(text, d, UM_DIAGNOSIS_CHOSEN, "Fitted: ", "And: ", left);
+  more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_CERTAIN, certain, again, left);
+  if (d->verdict == UM_VERDICT_UNEXPLAINED) return more;
+  more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_ONE_OF_GROUP,
+                                   "One of these, not known which: ", "And one of these: ", left);
+  more += um_diagnosis_words_class(
+      text, d, UM_CONFIDENCE_UNCERTAIN,
+      "Needed, but within two sigmas of nothing: ", "Within two sigmas of nothing, too: ", left);
+  more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_SMALL,
+                                   "Small, and what it is cannot be known: ", "Small, too: ", left);
+  return more;
+}
+
+/* Returns how many were left out. */
+static size_t say_unexplained(struct um_diagnosis_words *text, const struct um_diagnosis *d,
+                              size_t *left)
+{
+  size_t more;
+  if (d->candidates == NULL) { /* chosen, not found */
+    more = um_diagnosis_words_class(text, d, UM_DIAGNOSIS_CHOSEN, "Fitted: ", "And: ", left);
+    add(text, " What is left is not noise.");
+    return more;
   }
+  add(text, "%s",
+      d->naddition == 0 ? claim(d)
+      : d->chosen       ? "The effects asked for do not explain all of it."
+                        : "The effects of the catalogue do not explain all of it.");
+  more = say_classes(text, d, "Certain all the same: ", "Certain, too: ", left);
+  add_residual(text, d);
   add_heat(text, d->unexplained);
+  return more;
+}
+
+void um_diagnosis_say_effects(const struct um_diagnosis *d, size_t most,
+                              char out[UM_DIAGNOSIS_SUMMARY_MAX])
+{
+  struct um_diagnosis_words words = {out, UM_DIAGNOSIS_SUMMARY_MAX, 0}, *text = &words;
+  size_t more = 0;
+  out[0] = '\0';
+  switch (d->verdict) {
+  case UM_VERDICT_COMPLETE:
+    say_complete(text, d);
+    break;
+  case UM_VERDICT_FOUND:
+    more = say_classes(text, d, "Missing: ", "Missing, too: ", &most);
+    break;
+  case UM_VERDICT_NOT_IDENTIFIABLE:
+    if (d->naddition == 0) {
+      add(text, "A value that was left free has moved far, and what it stands for cannot be known");
+      add_absorbed(text, d);
+      add(text, ".");
+    }
+    more = say_classes(text, d, "Certain: ", "Certain, too: ", &most);
+    break;
+  case UM_VERDICT_UNEXPLAINED:
+    more = say_unexplained(text, d, &most);
+    break;
+  }
+  if (more > 0) add(text, " %zu smaller one%s more.", more, more == 1 ? "" : "s");
+}
+
+void um_diagnosis_say_noise(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMMARY_MAX])
+{
+  struct um_diagnosis_words words = {out, UM_DIAGNOSIS_SUMMARY_MAX, 0}, *text = &words;
+  out[0] = '\0';
+  if (d->allowance && !d->weighed)
+    add(text, "What is left is not quite noise (p %.1g).",
+        fmin(d->final_whiteness.p_chi2,
+             fmin(d->final_whiteness.p_white, d->final_whiteness.p_worst)));
+  if (d->verdict == UM_VERDICT_COMPLETE) return;
+  add_scatter(text, d, text->used > 0 ? " Besides, " : "Besides, ");
 }
 
 enum um_status um_diagnosis_summary_write(struct um_context *context, const struct um_diagnosis *d,
                                           char **out)
 {
-  struct text text = {{0}, 0};
-  switch (d->verdict) {
-  case UM_VERDICT_COMPLETE:
-    if (d->nscatter + d->noutlier > 0)
-      add_scatter(&text, d, "Nothing is missing, but ");
-    else
-      add(&text,
-          "Nothing is missing: the residual is noise of the stated sigma (reduced chi-square %.3g)",
-          d->chi2_reduced);
-    break;
-  case UM_VERDICT_FOUND:
-    add_all(&text, d, d->candidates == NULL ? "Fitted: " : "Missing: ");
-    add_superseded(&text, d);
-    add_fall(&text, d);
-    break;
-  case UM_VERDICT_NOT_IDENTIFIABLE:
-    say_not_identifiable(&text, d);
-    break;
-  case UM_VERDICT_UNEXPLAINED:
-    say_unexplained(&text, d);
-    break;
-  }
-  if (d->verdict != UM_VERDICT_COMPLETE) add_scatter(&text, d, ". Besides, ");
-  if (d->verdict != UM_VERDICT_UNEXPLAINED || d->naddition > 0) add_missed(&text, d, false);
-  add(&text, ".");
-  return um_core_strdup(context, text.at, out);
+  char effects[UM_DIAGNOSIS_SUMMARY_MAX], noise[UM_DIAGNOSIS_SUMMARY_MAX],
+      missed[UM_DIAGNOSIS_SUMMARY_MAX];
+  um_diagnosis_say_effects(d, SIZE_MAX, effects);
+  um_diagnosis_say_noise(d, noise);
+  um_diagnosis_say_missed(d, UM_DIAGNOSIS_NAMES, missed);
+  return um_core_asprintf(context, out, "%s%s%s%s%s", effects, noise[0] != '\0' ? " " : "", noise,
+                          missed[0] != '\0' ? " " : "", missed);
 }

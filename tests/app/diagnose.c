@@ -31,6 +31,42 @@ static double number_behind(const char *text, const char *from, const char *key)
   return strtod(at + strlen(key), NULL);
 }
 
+/* What is printed is short, and the command that it says can be typed: it runs, and leaves
+ * the diagnosis where it is. */
+static void check_brief(const char *out)
+{
+  static const char type[] = "type: umbra ";
+  char *argument[48], *command, *at;
+  size_t n = 0;
+  if (command_count_lines(out) > 12) fail_msg("more than 12 lines:\n%s", out);
+  const char *said = strstr(out, type);
+  if (said == NULL) fail_msg("no command in:\n%s", out);
+  said += strlen(type);
+  command = strndup(said, strcspn(said, "\n"));
+  assert_non_null(command);
+  assert_null(strchr(command, '\'')); /* nothing here needs quotes */
+  for (char *word = strtok_r(command, " ", &at); word != NULL; word = strtok_r(NULL, " ", &at)) {
+    assert_true(n + 1 < sizeof argument / sizeof argument[0]);
+    argument[n++] = word;
+  }
+  argument[n] = NULL;
+  const char *rest = strstr(out, "\nThe rest is in ");
+  assert_non_null(rest);
+  rest += strlen("\nThe rest is in ");
+  char *text = strndup(rest, strcspn(rest, ";"));
+  assert_non_null(text);
+  char *before = command_read(text);
+  struct command c = command_run_list((const char *const *)argument);
+  if (c.code != 0) fail_msg("'%s': exit %d: %s", said, c.code, c.err);
+  char *after = command_read(text);
+  assert_string_equal(before, after);
+  free(before);
+  free(after);
+  free(text);
+  command_release(&c);
+  free(command);
+}
+
 /* A hidden emittance of 0.8 of the scenario's is found: value within three of its sigmas; reduced
  * chi-square of 93 rows of white noise within 1 +- 3 sqrt(2/93); the improved scenario alone has it
  * too. */
@@ -53,8 +89,8 @@ static void test_found(void **state)
   assert_close(number_behind(json, "\"final\"", "\"chi2_red\": "), 1.0, 3.0 * sqrt(2.0 / 93.0));
   free(json);
   command_release(&c);
-  static const char *const made[] = {"ranking.csv", "fit.csv", "improved/scenario.yaml",
-                                     "plots.gp"};
+  static const char *const made[] = {"diagnosis.txt", "ranking.csv", "fit.csv",
+                                     "improved/scenario.yaml", "plots.gp"};
   for (size_t i = 0; i < sizeof made / sizeof made[0]; i++) {
     char path[64];
     snprintf(path, sizeof path, "out/%s", made[i]);
@@ -67,6 +103,13 @@ static void test_found(void **state)
   struct table t = table_read("out/fit.csv");
   assert_int_equal(t.nrow, 93);
   table_release(&t);
+  c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, "--no-plots", NULL);
+  assert_int_equal(c.code, 0);
+  static const char begins[] = "Missing: A surface emits and absorbs thermal radiation better or "
+                               "worse than its record\n(emittance:grey_white factor 0.";
+  if (strncmp(c.out, begins, strlen(begins)) != 0) fail_msg("%s", c.out);
+  check_brief(c.out);
+  command_release(&c);
 }
 
 /* BIC of an alternative above the winner's by diagnosis.json. */
@@ -98,7 +141,8 @@ static void test_worse(void **state)
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     command_expect(0, "synth", BOX, "--noise", "0.01,0.001", "--seed", "5", "-o", "m.csv",
                    "--force", "--with", cases[i].truth, NULL);
-    struct command c = command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, NULL);
+    struct command c =
+        command_run("diagnose", BOX, "m.csv", "--out", "out", FEW, "--details", NULL);
     if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
     char *json = command_read("out/diagnosis.json"), *script = command_read("out/plots.gp");
     double behind = behind_in(json, cases[i].winner, cases[i].other);
@@ -131,11 +175,22 @@ static void test_group(void **state)
   command_write("v.csv", only);
   free(only);
   free(text);
-  struct command c = command_run("diagnose", BOX, "v.csv", "--no-plots", "--only", "zero_point:vis",
-                                 "--only", "area:bus", "--only", "diffuse_level", "--only",
-                                 "extinction:vis", "--only", "specular_level", NULL);
+  struct command c =
+      command_run("diagnose", BOX, "v.csv", "--no-plots", "--only", "zero_point:vis", "--only",
+                  "area:bus", "--only", "diffuse_level", "--only", "extinction:vis", "--only",
+                  "specular_level", "--out", "out", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
-  assert_int_equal(strncmp(c.out, "Not identifiable: the residual is worst in ", 43), 0);
+  assert_int_equal(strncmp(c.out, "One of these, not known which: ", 31), 0);
+  check_brief(c.out);
+  command_release(&c);
+  c = command_run("diagnose", BOX, "v.csv", "--no-plots", "--only", "zero_point:vis", "--only",
+                  "area:bus", "--only", "diffuse_level", "--only", "extinction:vis", "--only",
+                  "specular_level", "--out", "out", "--details", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  text = command_read("out/diagnosis.txt");
+  assert_int_equal(strncmp(c.out, text, strlen(text)), 0);
+  assert_string_equal(c.out + strlen(text), "results in out\nto look at: out/report.html\n");
+  free(text);
   const char *next = strstr(c.out, "\nnext measurement, to tell\n");
   assert_non_null(next);
   const char *same = strstr(next, "  extinction:vis from zero_point:vis, diffuse_level:grey_white: "
@@ -158,16 +213,23 @@ static void test_complete(void **state)
                                  "zero_point", "--no-plots", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
   assert_int_equal(strncmp(c.out, "Nothing is missing: ", 20), 0); /* the sentence is first */
-  assert_non_null(strstr(c.out, "\nbox against m.csv: 93 observations, "));
-  assert_non_null(strstr(c.out, "\nbaseline: reduced chi-square "));
-  assert_non_null(strstr(c.out, "\n  temperature bus "));
-  assert_non_null(strstr(c.out, "\nverdict: complete\n"));
+  check_brief(c.out);
   /* changed on the command line, so not in the folder of the scenario as it is */
-  const char *said = strstr(c.out, "results in out/box--set-time.step_s=6--set-");
+  const char *said = strstr(c.out, "The rest is in out/box--set-time.step_s=6--set-");
   assert_non_null(said);
   char folder[128], path[160];
-  said += strlen("results in ");
-  snprintf(folder, sizeof folder, "%.*s", (int)strcspn(said, "\n"), said);
+  said += strlen("The rest is in ");
+  const char *end = strstr(said, "/diagnosis.txt; to look at: ");
+  assert_non_null(end);
+  snprintf(folder, sizeof folder, "%.*s", (int)(end - said), said);
+  snprintf(path, sizeof path, "%s/diagnosis.txt", folder);
+  char *text = command_read(path);
+  assert_int_equal(strncmp(text, "Nothing is missing: ", 20), 0);
+  assert_non_null(strstr(text, "\nbox against m.csv: 93 observations, "));
+  assert_non_null(strstr(text, "\nbaseline: reduced chi-square "));
+  assert_non_null(strstr(text, "\n  temperature bus "));
+  assert_non_null(strstr(text, "\nverdict: complete\n"));
+  free(text);
   snprintf(path, sizeof path, "%s/improved/scenario.yaml", folder);
   assert_true(command_exists(path));
   snprintf(path, sizeof path, "%s/plots.gp", folder);
@@ -205,8 +267,13 @@ static void test_fit(void **state)
       command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white,factor=0.9", "--nuisance",
                   "zero_point:vis,sigma=0.1", "--out", "out", "--no-plots", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
-  assert_non_null(strstr(c.out, "\nfitted: emittance:grey_white\n"));
-  assert_non_null(strstr(c.out, "\nfitted along: zero_point:vis\n"));
+  static const char begins[] = "Fitted: A surface emits and absorbs thermal radiation ";
+  assert_int_equal(strncmp(c.out, begins, strlen(begins)), 0);
+  check_brief(c.out);
+  char *tables = command_read("out/diagnosis.txt");
+  assert_non_null(strstr(tables, "\nfitted: emittance:grey_white\n"));
+  assert_non_null(strstr(tables, "\nfitted along: zero_point:vis\n"));
+  free(tables);
   assert_false(command_exists("out/ranking.csv"));
   char *text = command_read("out/improved/scenario.yaml");
   assert_non_null(strstr(text, "step_s: 6"));

@@ -102,15 +102,3 @@ const double *um_diagnosis_report_step_values(const struct um_diagnosis *diagnos
   bool last = step == &diagnosis->step[diagnosis->nstep - 1];
   return last && !step->removed ? diagnosis->value_after : NULL;
 }
-
-void um_diagnosis_report_value_text(double value, double sigma, const char *between, char out[80])
-{
-  int decimals = sigma > 0.0 && isfinite(sigma) ? 1 - (int)floor(log10(sigma)) : -1;
-  if (!isfinite(sigma))
-    snprintf(out, 80, "%.4g", value);
-  else if (sigma > 0.0 && decimals <= 6 && fabs(value) < 1e6 && sigma < 1e6)
-    snprintf(out, 80, "%.*f %s %.*f", decimals > 0 ? decimals : 0, value, between,
-             decimals > 0 ? decimals : 0, sigma);
-  else
-    snprintf(out, 80, "%.4g %s %.2g", value, between, sigma);
-}

@@ -29,10 +29,6 @@ um_diagnosis_report_candidate_of(const struct um_diagnosis *diagnosis,
 const double *um_diagnosis_report_step_values(const struct um_diagnosis *diagnosis,
                                               const struct um_diagnosis_step *step);
 
-/* "41.50 +- 0.70": both to the second digit of sigma; the value alone where sigma is not finite.
- * between: what stands between them, "+-". Does not fail. */
-void um_diagnosis_report_value_text(double value, double sigma, const char *between, char out[80]);
-
 /* A model value in the unit of the channel's quantity, from the linear one; NaN for a magnitude of
  * no light. */
 double um_diagnosis_report_in_unit(enum um_compare_quantity quantity, double linear);

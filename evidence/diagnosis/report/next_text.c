@@ -7,6 +7,15 @@
 
 #include "evidence/measurements/time_text.h"
 
+/* Without thousandths of a second where there are none. */
+static void time_text(double t_tai, char out[40])
+{
+  static const char none[] = ".000Z";
+  um_compare_time_text(t_tai, out);
+  size_t n = strlen(out), k = sizeof none - 1;
+  if (n > k && strcmp(out + n - k, none) == 0) memcpy(out + n - k, "Z", 2);
+}
+
 void um_diagnosis_report_next_text(const struct um_diagnosis_next *next,
                                    char out[UM_DIAGNOSIS_NEXT_TEXT])
 {
@@ -18,13 +27,11 @@ void um_diagnosis_report_next_text(const struct um_diagnosis_next *next,
              next->told_apart_by != NULL ? next->told_apart_by : "");
     return;
   }
-  um_compare_time_text(next->from, from);
-  um_compare_time_text(next->to, to);
+  time_text(next->from, from);
+  time_text(next->to, to);
   snprintf(out, UM_DIAGNOSIS_NEXT_TEXT,
-           "%s, %s to %s; an observation of sigma %.3g %s there tells them apart by a chi-square "
-           "of %.3g",
-           next->what, from, to, next->sigma, um_compare_quantity_unit(next->quantity),
-           next->chi2_difference);
+           "%s, %s to %s; a value of sigma %.3g %s there is worth a chi-square of %.3g", next->what,
+           from, to, next->sigma, um_compare_quantity_unit(next->quantity), next->chi2_difference);
 }
 
 bool um_diagnosis_report_next_same(const struct um_diagnosis_next *a,

@@ -9,6 +9,7 @@
 #include "evidence/comparison/shade.h"
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/report_impl.h"
+#include "evidence/diagnosis/value_text.h"
 
 #define BARS 15
 
@@ -112,7 +113,7 @@ void um_diagnosis_report_bar_text(const struct um_diagnosis *d,
   } else {
     um_diagnosis_report_estimate(candidate, &bar->score->score, 0, &value, &sigma);
   }
-  um_diagnosis_report_value_text(value, sigma, "±", text);
+  um_diagnosis_value_text(value, sigma, "±", text);
   bool within = value >= parameter->minimum && value <= parameter->maximum;
   bool bound = bar->fit != NULL && (value == parameter->minimum || value == parameter->maximum);
   snprintf(out, 160, "%.60s %s%s", parameter->name, within ? text : "beyond its range",
@@ -280,7 +281,7 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
   struct um_plot_time time = um_diagnosis_report_plot_time(h->t[0], h->t[h->nbin]);
   char energy[80], below[300], best[40];
   double unit;
-  um_diagnosis_report_value_text(h->energy, h->energy_sigma, "±", energy);
+  um_diagnosis_value_text(h->energy, h->energy_sigma, "±", energy);
   snprintf(below, sizeof below, "%s %.150s: %s of %s J",
            diagnosis->unexplained->found ? "missing heat of" : "explains only a part: heat of",
            h->place, um_missing_heat_shape_name(h->course.shape), energy);

@@ -32,6 +32,16 @@ void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
 void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);
 
+/* The end of diagnosis.txt (text_next.c): what is left open. */
+void um_diagnosis_report_write_text_next(const struct um_diagnosis *diagnosis, FILE *file);
+
+/* The command to type next as a line of the brief (brief_command.c): found: to see that it is gone;
+ * a group: the same question without its first; what leaves things open: where it is off, or the
+ * whole catalogue; complete: what could have been seen. It can be typed where the diagnosis was,
+ * and leaves its folder as it is. command, folder: as of um_diagnosis_report_brief. */
+void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diagnosis,
+                                     const char *command, const char *folder);
+
 /* Pixels. */
 #define UM_DIAGNOSIS_PLOT_WIDTH 1000
 #define UM_DIAGNOSIS_PLOT_LEFT  100

@@ -1,4 +1,5 @@
-/* The files of a diagnosis: diagnosis.json, ranking.csv, fit.csv, heat.csv, improved/. */
+/* The files of a diagnosis: diagnosis.json, diagnosis.txt, ranking.csv, fit.csv, heat.csv,
+ * improved/. */
 #include "evidence/diagnosis/report/write.h"
 
 #include <math.h>
@@ -11,6 +12,7 @@
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/plot.h"
 #include "evidence/diagnosis/report/report_impl.h"
+#include "evidence/diagnosis/report/text.h"
 #include "evidence/diagnosis/report/write_json.h"
 #include "evidence/measurements/time_text.h"
 
@@ -149,6 +151,10 @@ enum um_status um_diagnosis_report_write(struct um_context *context,
   enum um_status status =
       um_diagnosis_report_write_json(context, diagnosis, command, version, file);
   enum um_status closed = um_core_file_close(context, "diagnosis.json", &file);
+  UM_TRY(status != UM_OK ? status : closed);
+  UM_TRY(um_core_folder_open(context, folder, "diagnosis.txt", &file));
+  status = um_diagnosis_report_write_text(context, diagnosis, file);
+  closed = um_core_file_close(context, "diagnosis.txt", &file);
   UM_TRY(status != UM_OK ? status : closed);
   if (diagnosis->candidates != NULL) {
     UM_TRY(um_core_folder_open(context, folder, "ranking.csv", &file));

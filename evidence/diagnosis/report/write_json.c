@@ -176,12 +176,12 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
                                               const char *command, const char *version, FILE *file)
 {
   const struct um_diagnosis *d = diagnosis;
-  um_core_json_text(file, "{\n  ", "scenario", d->forward->model->scenario->name);
+  um_core_json_text(file, "{\n  ", "sentence", d->summary);
+  um_core_json_text(file, ",\n  ", "scenario", d->forward->model->scenario->name);
   um_core_json_text(file, ",\n  ", "measurements", d->forward->measurements->path);
   um_core_json_text(file, ",\n  ", "command", command);
   um_core_json_text(file, ",\n  ", "version", version);
   um_core_json_text(file, ",\n  ", "verdict", um_diagnosis_verdict_name(d->verdict));
-  um_core_json_text(file, ",\n  ", "sentence", d->summary);
   um_core_json_field(file, ",\n  ", "level", d->level);
   um_core_json_field(file, ",\n  ", "model_share", d->forward->observations.model_share);
   fprintf(file, ", \"optics_samples\": %d, \"optics_samples_of_scenario\": %d", d->forward->samples,

@@ -292,9 +292,12 @@ static void what_is_not_tried_is_named(void **state)
                         .of = "vis"};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
+  assert_int_equal(
+      strncmp(c.d->summary, "None of the effects asked for could be tried. The scenario is", 61),
+      0);
   says(&c,
-       "none of the effects asked for could be tried; not tried: penumbra (the scenario already "
-       "has it on), heat_capacity:wing (no observation changes with it)");
+       " Not tried: penumbra (the scenario already has it on), heat_capacity:wing (no observation "
+       "changes with it).");
   assert_int_equal(c.d->nmissed, 2);
   assert_false(c.d->missed[0].tested || c.d->missed[1].tested);
   end(&c);
@@ -303,7 +306,7 @@ static void what_is_not_tried_is_named(void **state)
   lists.with = LIST("zero_point:vis,factor=1.001");
   c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
-  says(&c, "; not tried: aperture_loss:lwir (no observation changes with it).");
+  says(&c, " Not tried: aperture_loss:lwir (no observation changes with it).");
   assert_int_equal(c.d->nmissed, 2);
   end(&c);
 }

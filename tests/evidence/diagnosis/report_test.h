@@ -254,9 +254,9 @@ static inline void world_end(struct world *w)
 
 /* ---- its folder ---- */
 
-static const char *const files[] = {".umbra",   "diagnosis.json", "ranking.csv",
-                                    "fit.csv",  "heat.csv",       "improved/scenario.yaml",
-                                    "plots.gp", "report.html"};
+static const char *const files[] = {
+    ".umbra",   "diagnosis.json",         "diagnosis.txt", "ranking.csv", "fit.csv",
+    "heat.csv", "improved/scenario.yaml", "plots.gp",      "report.html"};
 
 static inline void remove_out(void)
 {
