@@ -40,6 +40,9 @@
 #define UM_DIAGNOSIS_ALIKE_IN_ASPECT 0.35
 /* Times that the noise is estimated and the search made anew, at most. HAND. */
 #define UM_DIAGNOSIS_NOISE_ROUNDS 3
+/* Fall of BIC [1] by another estimate of a fit's noise, or from another start, that is not worth
+ * one more. Derived: ten times what a fit calls converged. */
+#define UM_DIAGNOSIS_SETTLED 0.1
 /* A discrepancy that is too large to be called one: above these sigmas, and this temperature [K] or
  * share of the light [1], and this share of what the scenario was off by [1]. HAND: models of
  * spacecraft that are held to be right are within 3 K of tests (ECSS-E-ST-31C asks 5 K). */

@@ -8,6 +8,23 @@
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/missing_heat/unexplained.h"
 
+/* What is asked, and an empty diagnosis of it, the caller's after a failure too; work->fate and
+ * work->fold are the caller's. */
+enum um_status um_diagnosis_begin(struct um_context *context,
+                                  struct um_sensitivity_forward *forward,
+                                  const struct um_sensitivity_candidates *candidates,
+                                  const struct um_diagnosis_options *options,
+                                  struct um_diagnosis_work *work, struct um_diagnosis **d);
+/* The scenario as it is, with its nuisances fitted, into an empty state. */
+enum um_status um_diagnosis_baseline(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state, struct um_diagnosis *d);
+/* The state is what d ends with. */
+enum um_status um_diagnosis_keep_end(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     const struct um_diagnosis_state *state,
+                                     struct um_diagnosis *d);
+
 /* A block of a use with all its parameters free, starting at its values; prior about the
  * scenario's values of width sigma (INFINITY: the effect's own). UM_ERR_INPUT: an effect without
  * parameters that is no core switch. */
