@@ -15,11 +15,12 @@
 /* What decides answers, beside files, program and changes of the scenario. */
 static uint64_t digest_of(const struct um_app_options *o)
 {
-  const double numbers[] = {o->level, (double)o->steps};
+  const double numbers[] = {o->level, (double)o->steps, o->posterior ? 1.0 : 0.0, (double)o->draws};
   uint64_t digest = um_core_digest_texts(UM_CORE_DIGEST_BEGIN, o->only, o->nonly);
   digest = um_core_digest_texts(digest, o->exclude, o->nexclude);
   digest = um_core_digest_texts(digest, o->nuisance, o->nnuisance);
   digest = um_core_digest_texts(digest, o->add, o->nadd); /* which umbra fit always has */
+  digest = um_core_digest_texts(digest, &o->seed, o->seed != NULL);
   return um_core_digest(digest, numbers, sizeof numbers);
 }
 

@@ -37,6 +37,9 @@ void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosi
 /* The tables for a person (diagnosis_print.c). */
 enum um_status um_app_diagnosis_print(struct um_context *context,
                                       const struct um_diagnosis *diagnosis, const char *folder);
+/* What a fit knows of values together, and the draws of its posterior (posterior_print.c); nothing
+ * of a diagnosis. */
+void um_app_posterior_print(const struct um_diagnosis *diagnosis);
 /* The part of them that says what is left open (diagnosis_print_next.c). */
 void um_app_diagnosis_print_next(const struct um_diagnosis *diagnosis);
 

@@ -285,6 +285,7 @@ enum um_status um_app_diagnosis_print(struct um_context *context,
     UM_TRY(print_channels(context, d, d->value_before, d->dof, d->value_after, d->dof_after));
   }
   print_uses(d, "fitted along", d->nuisance, d->nuisance_sigma, d->nnuisance);
+  um_app_posterior_print(d);
   print_superseded(d);
   um_app_diagnosis_print_next(d);
   if (d->allowance) printf("\nwhat is left is not quite noise\n");

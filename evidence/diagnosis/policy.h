@@ -153,6 +153,15 @@
 #define UM_DIAGNOSIS_RANGE   1.5
 #define UM_DIAGNOSIS_CLEARER 1.3
 
+/* ---- pairs that cannot be told apart (ties.c) ---- */
+
+/* Correlation [1] from which on only a combination is known. Derived: each alone is then known five
+ * times worse than beside the other's true value, 1 / sqrt(1 - 0.98^2). */
+#define UM_DIAGNOSIS_TIED 0.98
+/* Distance of a power from 1 [1] that is not worth a word. Derived: twice the 5 % within which a
+ * fit knows its slopes. */
+#define UM_DIAGNOSIS_ONE 0.1
+
 /* ---- what is said (summary.c) ---- */
 
 /* Share of a signature [1] below which nuisances do what an effect would. HAND. */

@@ -173,6 +173,27 @@ enum um_status um_diagnosis_add_wanted(struct um_context *context,
                                        const struct um_model_addition *wanted, size_t nwanted,
                                        struct um_diagnosis_state *state);
 
+/* d->fitted of the final state, once its effects stand in d. */
+enum um_status um_diagnosis_fitted_list(struct um_context *context,
+                                        const struct um_diagnosis_state *state,
+                                        struct um_diagnosis *d);
+/* A value of a fitted parameter as it adds: of a factor its logarithm. */
+double um_diagnosis_fitted_additive(const struct um_diagnosis_fitted *fitted, double value);
+/* d->tie by mean x [nfitted] and covariance [nfitted][nfitted] of the fitted as they add. */
+enum um_status um_diagnosis_ties_find(struct um_context *context, const double *x,
+                                      const double *covariance, struct um_diagnosis *d);
+/* The same by the curvature of the state's fit. */
+enum um_status um_diagnosis_ties_of_fit(struct um_context *context,
+                                        const struct um_diagnosis_state *state,
+                                        struct um_diagnosis *d);
+/* d->posterior, and d->tie where it is sound, by as many draws as the options ask for, once
+ * d->fitted is there; nothing where they ask for none. UM_ERR_INPUT: nothing is free, more draws
+ * than memory is kept for. UM_ERR_NUMERIC: as um_uncertainty_posterior_create. */
+enum um_status um_diagnosis_posterior_draw(struct um_context *context,
+                                           const struct um_diagnosis_work *work,
+                                           const struct um_diagnosis_state *state,
+                                           struct um_diagnosis *d);
+
 /* d->scatter and d->outlier of the final state, once value_before is there; nothing without a
  * noise.
  */

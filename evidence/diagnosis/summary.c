@@ -175,7 +175,9 @@ static void add_superseded(struct text *text, const struct um_diagnosis *d)
 
 static void add_fall(struct text *text, const struct um_diagnosis *d)
 {
-  add(text, ". Reduced chi-square falls from %.4g to %.4g", d->chi2_reduced, d->chi2_reduced_after);
+  add(text, ". Reduced chi-square %s from %.4g to %.4g",
+      d->chi2_reduced_after > d->chi2_reduced ? "goes" : "falls", d->chi2_reduced,
+      d->chi2_reduced_after);
   if (d->allowance && !d->weighed)
     add(text, "; what is left is not quite noise (p %.1g)",
         fmin(d->final_whiteness.p_chi2,

@@ -30,7 +30,18 @@ void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
 void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
+/* What is known of fitted parameters together. */
+void um_diagnosis_report_json_posterior(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);
+
+/* posterior.csv and posterior_curves.csv; nothing without draws. UM_ERR_IO. */
+enum um_status um_diagnosis_report_posterior_write(struct um_context *context,
+                                                   const struct um_diagnosis *d,
+                                                   struct um_core_folder *folder);
+/* The picture "posterior" of the draws, which has tables of its own. UM_ERR_MEMORY. */
+enum um_status um_diagnosis_report_plot_posterior(struct um_context *context,
+                                                  const struct um_diagnosis *d,
+                                                  struct um_plot *plot);
 
 /* Pixels. */
 #define UM_DIAGNOSIS_PLOT_WIDTH 1000
