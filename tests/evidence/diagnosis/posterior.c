@@ -154,18 +154,25 @@ static void test_draws(void **state)
   finish(&f);
 }
 
-/* A plate that is measured by its light alone, in VIS: area and the zero point are one factor.
- * Their product is known as well as light is: 13 rows of 1 %. */
-static void test_product(void **state)
+/* The same without rows in LWIR. */
+static struct fitted begin_vis(const char *const *with)
 {
-  (void)state;
-  struct fitted f = begin(LIST("zero_point:vis,factor=1.08"));
+  struct fitted f = begin(with);
   for (size_t i = 0; i < f.measured->count; i++)
     if (strcmp(f.measured->channel[f.measured->row[i].channel].of, "vis") != 0)
       f.measured->row[i].flag = 1;
   um_sensitivity_forward_destroy(context, &f.forward);
   OK(um_sensitivity_forward_create(context, path, &f.options, f.measured, UM_VARIANT_TIGHT,
                                    &f.forward));
+  return f;
+}
+
+/* A plate that is measured by its light alone, in VIS: area and the zero point are one factor.
+ * Their product is known as well as light is: 13 rows of 1 %. */
+static void test_product(void **state)
+{
+  (void)state;
+  struct fitted f = begin_vis(LIST("zero_point:vis,factor=1.08"));
   const struct um_model_addition wanted[2] = {use(&f, "area", "wing"),
                                               use(&f, "zero_point", "vis")};
   struct um_diagnosis *d = fit(&f, wanted, 2, 1000, 1);
@@ -180,6 +187,41 @@ static void test_product(void **state)
   um_diagnosis_destroy(context, &d);
   d = fit(&f, wanted, 2, 0, 0); /* the curvature says the same */
   assert_true(d->posterior == NULL && d->ntie == 1 && d->tie[0].product);
+  um_diagnosis_destroy(context, &d);
+  finish(&f);
+}
+
+/* One factor of light that is known no better by measurements than by its prior: normal, with mean
+ * and deviation in closed form. It is drawn by its logarithm, and that must not show. */
+static void test_wide(void **state)
+{
+  (void)state;
+  struct fitted f = begin_vis(NULL);
+  struct um_model_addition wanted = use(&f, "area", "wing");
+  const struct um_effect_parameter *of = &wanted.effect->parameters[0];
+  struct um_sensitivity_observations *o = &f.forward->observations;
+  double prior = 1.0 / (of->prior_sigma * of->prior_sigma), known = 0.0, pull = prior;
+  double *base = calloc(o->count, sizeof *base);
+  assert_true(base != NULL && !of->logarithmic);
+  OK(um_sensitivity_forward_evaluate(context, f.forward, NULL, 0, base));
+  for (size_t j = 0; j < o->count; j++) known += base[j] * base[j] / (o->sigma[j] * o->sigma[j]);
+  double wider = sqrt(known / prior);
+  for (size_t j = 0; j < o->count; j++) {
+    o->sigma[j] *= wider;
+    o->measured[j] = 1.1 * base[j];
+    pull += base[j] * o->measured[j] / (o->sigma[j] * o->sigma[j]);
+  }
+  struct um_diagnosis *d = fit(&f, &wanted, 1, 4000, 2);
+  const struct um_diagnosis_posterior *p = d->posterior;
+  double mean = 0.0, square = 0.0, deviation = sqrt(1.0 / (2.0 * prior));
+  for (size_t i = 0; i < p->n; i++) mean += p->weight[i] * p->value[i];
+  for (size_t i = 0; i < p->n; i++) square += p->weight[i] * pow(p->value[i] - mean, 2.0);
+  double error = deviation / sqrt(p->effective);
+  print_message("  %.4f +- %.4f of %.4f +- %.4f, worth %.0f\n", mean, sqrt(square),
+                pull / (2.0 * prior), deviation, p->effective);
+  assert_close(mean, pull / (2.0 * prior), 3.0 * error);
+  assert_close(sqrt(square), deviation, 3.0 * error);
+  free(base);
   um_diagnosis_destroy(context, &d);
   finish(&f);
 }
@@ -202,7 +244,7 @@ static void test_refusals(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_draws), cmocka_unit_test(test_product),
-                                     cmocka_unit_test(test_refusals),
+                                     cmocka_unit_test(test_wide), cmocka_unit_test(test_refusals),
                                      cmocka_unit_test(test_calibration)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
