@@ -211,7 +211,7 @@ static void test_wide(void **state)
     o->measured[j] = 1.1 * base[j];
     pull += base[j] * o->measured[j] / (o->sigma[j] * o->sigma[j]);
   }
-  struct um_diagnosis *d = fit(&f, &wanted, 1, 4000, 2);
+  struct um_diagnosis *d = fit(&f, &wanted, 1, 2000, 2);
   const struct um_diagnosis_posterior *p = d->posterior;
   double mean = 0.0, square = 0.0, deviation = sqrt(1.0 / (2.0 * prior));
   for (size_t i = 0; i < p->n; i++) mean += p->weight[i] * p->value[i];
