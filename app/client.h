@@ -22,6 +22,7 @@ struct um_app_option;
 #define UM_APP_MAP_TOLERANCE     0.1 /* [1] */
 #define UM_APP_AXIS_STEP         5   /* [deg] */
 #define UM_APP_SOLUTIONS         24
+#define UM_APP_DRAWS             1000
 #define UM_APP_FLOOR             0.001 /* of the peak */
 #define UM_APP_TEMPERATURE_SIGMA 0.5   /* [K] */
 
@@ -92,6 +93,8 @@ struct um_app_options {
   int workers;
   const char *share;
   bool resume;
+  bool posterior; /* of fit: --posterior, --draws (0: not said), --seed */
+  int draws;
   const char *days, *minimum_elevation; /* of forecast: --days, --minimum-elevation, --station */
   const char **station, **uncertain;    /* and --uncertain */
   size_t nstation, nuncertain;

@@ -17,11 +17,12 @@
 /* What decides answers, beside files, program and changes of the scenario. */
 static uint64_t digest_of(const struct um_app_options *o)
 {
-  const double numbers[] = {o->level, (double)o->steps};
+  const double numbers[] = {o->level, (double)o->steps, o->posterior ? 1.0 : 0.0, (double)o->draws};
   uint64_t digest = um_core_digest_texts(UM_CORE_DIGEST_BEGIN, o->only, o->nonly);
   digest = um_core_digest_texts(digest, o->exclude, o->nexclude);
   digest = um_core_digest_texts(digest, o->nuisance, o->nnuisance);
   digest = um_core_digest_texts(digest, o->add, o->nadd); /* which umbra fit always has */
+  digest = um_core_digest_texts(digest, &o->seed, o->seed != NULL);
   return um_core_digest(digest, numbers, sizeof numbers);
 }
 
@@ -97,6 +98,7 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
   }
   UM_TRY(um_diagnosis_report_brief(context, d, options->command, work->out, &brief));
   fputs(brief, stdout);
+  um_diagnosis_report_write_text_posterior(d, stdout);
   um_core_free(context, brief);
   return UM_OK;
 }

@@ -150,9 +150,15 @@ static const struct um_app_verb verbs[] = {
                  "zero_point:lwir,sigma=0.05\n",
      .run = um_app_diagnose, .group = UM_APP_COMPARE},
     {"fit", "SCENARIO [MEASURED...]", "parameters of chosen effects, fitted to measurements",
-     .needs = "add", .accepts = "out " CHANGES " nuisance resume details " RESULTS,
-     .about = "Values with their uncertainty, and a scenario with them in improved/.",
-     .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n",
+     .needs = "add",
+     .accepts = "out " CHANGES " nuisance posterior draws draw-seed resume details " RESULTS,
+     .about = "Values with their uncertainty, and a scenario with them in improved/. Where what is "
+              "left is not noise of the stated sigma, the noise is estimated and said. With "
+              "--posterior posterior.csv has draws of all values together, the picture posterior "
+              "shows them, and posterior_curves.csv has where the curves lie.",
+     .examples = "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level\n"
+                 "umbra fit scenarios/hidden-effect/dawn measured.csv --add albedo_level "
+                 "--posterior\n",
      .run = um_app_fit, .group = UM_APP_COMPARE},
     {"retrieve", "SCENARIO MEASURED", "a grey body fitted to three thermal bands or more",
      .accepts = "out " CHANGES " force",

@@ -18,9 +18,9 @@ static void nothing(double values[UM_EFFECT_PARAMETERS_MAX])
   for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) values[p] = NAN;
 }
 
-/* The scenario as it is, with its nuisances fitted. */
-static enum um_status baseline(struct um_context *context, const struct um_diagnosis_work *work,
-                               struct um_diagnosis_state *state, struct um_diagnosis *d)
+enum um_status um_diagnosis_baseline(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   size_t n = work->forward->observations.count;
   UM_TRY(um_diagnosis_nuisances(context, work, state));
@@ -71,8 +71,9 @@ static enum um_status go_forward(struct um_context *context, const struct um_dia
   return UM_OK;
 }
 
-static enum um_status keep_end(struct um_context *context, const struct um_diagnosis_work *work,
-                               const struct um_diagnosis_state *state, struct um_diagnosis *d)
+enum um_status um_diagnosis_keep_end(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     const struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   size_t n = work->forward->observations.count, added = state->nblock - state->nnuisance;
   um_diagnosis_end_clear(context, d);
@@ -160,7 +161,7 @@ static enum um_status weigh_heat(struct um_context *context, const struct um_dia
   um_diagnosis_state_release(context, state);
   UM_TRY(um_diagnosis_state_copy(context, bare, bare->nblock, state));
   UM_TRY(um_diagnosis_state_fit(context, work, state, bare->fit->value, NULL, INFINITY));
-  return keep_end(context, work, state, d);
+  return um_diagnosis_keep_end(context, work, state, d);
 }
 
 /* The search, with the noise of the work. bare: the scenario with its nuisances. */
@@ -168,12 +169,12 @@ static enum um_status search(struct um_context *context, const struct um_diagnos
                              struct um_diagnosis_state *state, struct um_diagnosis_state *bare,
                              struct um_diagnosis *d)
 {
-  UM_TRY(baseline(context, work, state, d));
+  UM_TRY(um_diagnosis_baseline(context, work, state, d));
   UM_TRY(um_diagnosis_state_copy(context, state, state->nblock, bare));
   UM_TRY(um_diagnosis_state_fit(context, work, bare, state->fit->value, NULL, INFINITY));
   UM_TRY(keep_ranking(context, work, state, d));
   UM_TRY(go_forward(context, work, state, d));
-  return keep_end(context, work, state, d);
+  return um_diagnosis_keep_end(context, work, state, d);
 }
 
 /* Whether two searches ended with the same effects. */
@@ -284,10 +285,11 @@ static enum um_status conclude(struct um_context *context, const struct um_diagn
   return um_diagnosis_summary_write(context, d, &d->summary);
 }
 
-static enum um_status begin(struct um_context *context, struct um_sensitivity_forward *forward,
-                            const struct um_sensitivity_candidates *candidates,
-                            const struct um_diagnosis_options *options,
-                            struct um_diagnosis_work *work, struct um_diagnosis **d)
+enum um_status um_diagnosis_begin(struct um_context *context,
+                                  struct um_sensitivity_forward *forward,
+                                  const struct um_sensitivity_candidates *candidates,
+                                  const struct um_diagnosis_options *options,
+                                  struct um_diagnosis_work *work, struct um_diagnosis **d)
 {
   UM_TRY(um_core_allocate(context, 1, sizeof **d, d));
   *work = (struct um_diagnosis_work){
@@ -320,7 +322,7 @@ enum um_status um_diagnosis_create(struct um_context *context,
   struct um_inference_noise noise = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
-  UM_CHECK(begin(context, forward, candidates, options, &work, &d));
+  UM_CHECK(um_diagnosis_begin(context, forward, candidates, options, &work, &d));
   d->candidates = candidates;
   UM_CHECK(search(context, &work, &state, &bare, d));
   UM_CHECK(search_with_noise(context, &work, &noise, &discrepancy, &state, &bare, &d));
@@ -334,56 +336,5 @@ done:
   um_diagnosis_state_release(context, &state);
   um_diagnosis_state_release(context, &bare);
   um_diagnosis_destroy(context, &d);
-  return status;
-}
-
-/* Sort the additions into the order of the request. */
-static void put_as_wanted(const struct um_model_addition *wanted, struct um_diagnosis *d)
-{
-  for (size_t i = 0; i < d->naddition; i++)
-    for (size_t j = i + 1; j < d->naddition; j++) {
-      if (d->addition[j].effect != wanted[i].effect || d->addition[j].target != wanted[i].target)
-        continue;
-      struct um_model_addition a = d->addition[i];
-      double sigma[UM_EFFECT_PARAMETERS_MAX];
-      memcpy(sigma, d->addition_sigma[i], sizeof sigma);
-      d->addition[i] = d->addition[j];
-      memcpy(d->addition_sigma[i], d->addition_sigma[j], sizeof sigma);
-      d->addition[j] = a;
-      memcpy(d->addition_sigma[j], sigma, sizeof sigma);
-    }
-}
-
-enum um_status um_diagnosis_fit_effects(struct um_context *context,
-                                        struct um_sensitivity_forward *forward,
-                                        const struct um_model_addition *wanted, size_t nwanted,
-                                        const struct um_diagnosis_options *options,
-                                        struct um_diagnosis **out)
-{
-  enum um_status status;
-  const struct um_sensitivity_candidates_options these = {.wanted = wanted, .nwanted = nwanted};
-  struct um_sensitivity_candidates *candidates = NULL;
-  struct um_diagnosis_work work = {0};
-  struct um_diagnosis_state state = {0};
-  struct um_diagnosis *d = NULL;
-  *out = NULL;
-  UM_CHECK(um_sensitivity_candidates_create(context, forward, NULL, 0, &these, &candidates));
-  UM_CHECK(begin(context, forward, candidates, options, &work, &d));
-  UM_CHECK(baseline(context, &work, &state, d));
-  UM_CHECK(um_diagnosis_add_wanted(context, &work, wanted, nwanted, &state));
-  UM_CHECK(keep_end(context, &work, &state, d));
-  put_as_wanted(wanted, d);
-  d->probability =
-      (struct um_diagnosis_probability){NAN, NAN, NAN, NAN}; /* nothing else was asked */
-  d->verdict =
-      um_diagnosis_is_noise(&d->final_whiteness) ? UM_VERDICT_FOUND : UM_VERDICT_UNEXPLAINED;
-  UM_CHECK(um_diagnosis_summary_write(context, d, &d->summary));
-  *out = d;
-  d = NULL;
-done:
-  UM_FREE(context, work.fate, work.fold);
-  um_diagnosis_state_release(context, &state);
-  um_diagnosis_destroy(context, &d);
-  um_sensitivity_candidates_destroy(context, &candidates);
   return status;
 }

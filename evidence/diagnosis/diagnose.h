@@ -16,8 +16,10 @@ enum um_status um_diagnosis_create(struct um_context *context,
 
 /* Only the fit of chosen effects (umbra fit), without tests. value of each: where it starts, NAN:
  * not said. An effect that says none is added as a diagnosis adds it, the one that explains most
- * first; those that say one are fitted from there before. UM_ERR_INPUT: an effect that has nothing
- * to fit, as many free parameters as observations. */
+ * first; those that say one are fitted from there before. Where what is left is not noise of the
+ * stated sigma, the noise is estimated and they are fitted anew with it (weighed, scatter,
+ * outlier). UM_ERR_INPUT: an effect that has nothing to fit, as many free parameters as
+ * observations. */
 enum um_status um_diagnosis_fit_effects(struct um_context *context,
                                         struct um_sensitivity_forward *forward,
                                         const struct um_model_addition *wanted, size_t nwanted,

@@ -6,6 +6,7 @@
 #include "base/inference/score.h"
 #include "evidence/comparison/segments.h"
 #include "evidence/diagnosis/policy.h"
+#include "evidence/diagnosis/posterior.h"
 #include "evidence/missing_heat/residual.h"
 #include "evidence/missing_heat/unexplained.h"
 #include "evidence/sensitivity/candidates.h"
@@ -170,6 +171,12 @@ struct um_diagnosis {
   struct um_diagnosis_next *next_of; /* [nnext] one per alternative of a step with a group */
   struct um_diagnosis_next *next; /* the one of those hardest to tell; NULL: nothing is ambiguous */
   struct um_missing_heat_unexplained *unexplained; /* NULL: nothing is */
+  /* of chosen effects alone: */
+  size_t nfitted;
+  struct um_diagnosis_fitted *fitted; /* [nfitted] */
+  size_t ntie;
+  struct um_diagnosis_tie *tie;             /* [ntie] by the draws, where there are some */
+  struct um_diagnosis_posterior *posterior; /* NULL: not asked for */
 };
 
 /* The step that added an effect of these; NULL: it was chosen, not found. */

@@ -4,6 +4,9 @@
 
 #include "evidence/diagnosis/diagnosis.h"
 
+/* Accepts NULL, sets NULL. */
+void um_diagnosis_posterior_destroy(struct um_context *context,
+                                    struct um_diagnosis_posterior **posterior);
 /* Free the steps. */
 void um_diagnosis_steps_clear(struct um_context *context, struct um_diagnosis *d);
 /* Free the final effects and nuisances. */

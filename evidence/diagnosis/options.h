@@ -2,6 +2,8 @@
 #ifndef UMBRA_DIAGNOSIS_OPTIONS_H
 #define UMBRA_DIAGNOSIS_OPTIONS_H
 
+#include <stdint.h>
+
 #include "evidence/sensitivity/candidates.h"
 
 /* A nuisance: its direction is projected out of the tests, and it is fitted with the effects. */
@@ -22,6 +24,8 @@ struct um_diagnosis_options {
   size_t alternatives; /* candidates fitted at each step at most; 0: 8 */
   bool no_next;        /* do not look for the next measurement */
   bool no_heat;        /* do not reconstruct heat */
+  size_t draws;        /* from the posterior of chosen effects, each a run; 0: none */
+  uint64_t seed;       /* of them */
 };
 
 #endif

@@ -40,6 +40,9 @@
 #define UM_DIAGNOSIS_ALIKE_IN_ASPECT 0.35
 /* Times that the noise is estimated and the search made anew, at most. HAND. */
 #define UM_DIAGNOSIS_NOISE_ROUNDS 3
+/* Fall of BIC [1] by another estimate of a fit's noise, or from another start, that is not worth
+ * one more. Derived: ten times what a fit calls converged. */
+#define UM_DIAGNOSIS_SETTLED 0.1
 /* A discrepancy that is too large to be called one: above these sigmas, and this temperature [K] or
  * share of the light [1], and this share of what the scenario was off by [1]. HAND: models of
  * spacecraft that are held to be right are within 3 K of tests (ECSS-E-ST-31C asks 5 K). */
@@ -149,6 +152,15 @@
 #define UM_DIAGNOSIS_HIGH    0.67
 #define UM_DIAGNOSIS_RANGE   1.5
 #define UM_DIAGNOSIS_CLEARER 1.3
+
+/* ---- pairs that cannot be told apart (ties.c) ---- */
+
+/* Correlation [1] from which on only a combination is known. Derived: each alone is then known five
+ * times worse than beside the other's true value, 1 / sqrt(1 - 0.98^2). */
+#define UM_DIAGNOSIS_TIED 0.98
+/* Distance of a power from 1 [1] that is not worth a word. Derived: twice the 5 % within which a
+ * fit knows its slopes. */
+#define UM_DIAGNOSIS_ONE 0.1
 
 /* ---- what is said (summary.c) ---- */
 

@@ -88,8 +88,8 @@ void um_diagnosis_state_release(struct um_context *context, struct um_diagnosis_
 
 /* --- fit -------------------------------------------------------------------------------------- */
 
-static void parameters_of(const struct um_diagnosis_state *state,
-                          struct um_inference_fit_parameter *out)
+void um_diagnosis_state_parameters(const struct um_diagnosis_state *state,
+                                   struct um_inference_fit_parameter *out)
 {
   for (size_t b = 0, k = 0; b < state->nblock; b++) {
     const struct um_diagnosis_block *block = &state->block[b];
@@ -161,7 +161,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
   struct um_inference_fit *fit = NULL;
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *e.addition, &e.addition));
   UM_CHECK(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
-  parameters_of(state, parameter);
+  um_diagnosis_state_parameters(state, parameter);
   struct um_inference_fit_problem problem = {.nobservation = work->forward->observations.count,
                                              .nparameter = state->nparameter,
                                              .measured = work->forward->observations.measured,
@@ -215,7 +215,7 @@ enum um_status um_diagnosis_state_held_out(struct um_context *context,
   enum um_status status;
   struct um_inference_fit_parameter *parameter = NULL;
   UM_TRY(um_core_allocate(context, state->nparameter, sizeof *parameter, &parameter));
-  parameters_of(state, parameter);
+  um_diagnosis_state_parameters(state, parameter);
   struct um_inference_fit_problem problem = {.nobservation = work->forward->observations.count,
                                              .nparameter = state->nparameter,
                                              .measured = work->forward->observations.measured,

@@ -82,6 +82,9 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                       const struct um_diagnosis_work *work,
                                       struct um_diagnosis_state *state, const double *value,
                                       const double *jacobian, double prune_above);
+/* Start, range, prior and step of all that is free; out: [nparameter]. */
+void um_diagnosis_state_parameters(const struct um_diagnosis_state *state,
+                                   struct um_inference_fit_parameter *out);
 /* Additions of all blocks; out: [nblock]. */
 void um_diagnosis_state_additions(const struct um_diagnosis_state *state,
                                   struct um_model_addition *out);

@@ -8,6 +8,23 @@
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/missing_heat/unexplained.h"
 
+/* What is asked, and an empty diagnosis of it, the caller's after a failure too; work->fate and
+ * work->fold are the caller's. */
+enum um_status um_diagnosis_begin(struct um_context *context,
+                                  struct um_sensitivity_forward *forward,
+                                  const struct um_sensitivity_candidates *candidates,
+                                  const struct um_diagnosis_options *options,
+                                  struct um_diagnosis_work *work, struct um_diagnosis **d);
+/* The scenario as it is, with its nuisances fitted, into an empty state. */
+enum um_status um_diagnosis_baseline(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     struct um_diagnosis_state *state, struct um_diagnosis *d);
+/* The state is what d ends with. */
+enum um_status um_diagnosis_keep_end(struct um_context *context,
+                                     const struct um_diagnosis_work *work,
+                                     const struct um_diagnosis_state *state,
+                                     struct um_diagnosis *d);
+
 /* A block of a use with all its parameters free, starting at its values; prior about the
  * scenario's values of width sigma (INFINITY: the effect's own). UM_ERR_INPUT: an effect without
  * parameters that is no core switch. */
@@ -164,6 +181,27 @@ enum um_status um_diagnosis_add_wanted(struct um_context *context,
                                        const struct um_diagnosis_work *work,
                                        const struct um_model_addition *wanted, size_t nwanted,
                                        struct um_diagnosis_state *state);
+
+/* d->fitted of the final state, once its effects stand in d. */
+enum um_status um_diagnosis_fitted_list(struct um_context *context,
+                                        const struct um_diagnosis_state *state,
+                                        struct um_diagnosis *d);
+/* A value of a fitted parameter as it adds: of a factor its logarithm. */
+double um_diagnosis_fitted_additive(const struct um_diagnosis_fitted *fitted, double value);
+/* d->tie by mean x [nfitted] and covariance [nfitted][nfitted] of the fitted as they add. */
+enum um_status um_diagnosis_ties_find(struct um_context *context, const double *x,
+                                      const double *covariance, struct um_diagnosis *d);
+/* The same by the curvature of the state's fit. */
+enum um_status um_diagnosis_ties_of_fit(struct um_context *context,
+                                        const struct um_diagnosis_state *state,
+                                        struct um_diagnosis *d);
+/* d->posterior, and d->tie where it is sound, by as many draws as the options ask for, once
+ * d->fitted is there; nothing where they ask for none. UM_ERR_INPUT: nothing is free, more draws
+ * than memory is kept for. UM_ERR_NUMERIC: as um_uncertainty_posterior_create. */
+enum um_status um_diagnosis_posterior_draw(struct um_context *context,
+                                           const struct um_diagnosis_work *work,
+                                           const struct um_diagnosis_state *state,
+                                           struct um_diagnosis *d);
 
 /* d->scatter and d->outlier of the final state, once value_before is there; nothing without a
  * noise.

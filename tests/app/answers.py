@@ -106,6 +106,8 @@ def commands():
            "emittance:grey_white,factor=0.5", "-o", "warm.csv"]
     yield ["diagnose", *BOX, *SHORT, "warm.csv", "--no-plots", "--only", "zero_point:vis", "--out", "warm"]
     yield ["fit", *BOX, *SHORT, "m.csv", "--add", "emittance:grey_white", "--no-plots", "--out", "fit"]
+    yield ["fit", *BOX, *SHORT, "vis.csv", "--add", "area:bus", "--nuisance", "zero_point:vis", "--posterior", "--draws",
+           "400", "--no-plots", "--out", "together"]
     yield ["synth", "ball.yaml", "--noise", "0.01,0.0001", "--seed", "3", "-o", "ball.csv"]
     yield ["retrieve", "ball.yaml", "ball.csv", "--out", "retrieve"]
     yield ["map", *BOX, "--step", "30", "--no-plots", "--out", "map"]
@@ -212,7 +214,8 @@ def main():
             for i in fits:
                 missing[verb][i] -= set(seen_in(value, schema[verb]["anyOf"][i])) | {"the answer"}
             count += 1
-    missing["fit"][0] &= missing["diagnose"][0]  # the same schema
+    missing["fit"][0] &= missing["diagnose"][0]  # the same schema: what either shows
+    missing["diagnose"][0] &= missing["fit"][0]
     never = {f"{verb} {i}": [key for key in sorted(keys) if not key.startswith(SELDOM)]
              for verb, answers in missing.items() for i, keys in enumerate(answers)}
     never = {where: keys for where, keys in never.items() if keys}

@@ -287,6 +287,52 @@ static void test_fit(void **state)
   command_release(&c);
 }
 
+/* Draws beside it: the table has one row each and units in its head, their weights sum to 1, curves
+ * stand in the rows of fit.csv, the pair is drawn. */
+static void test_posterior(void **state)
+{
+  (void)state;
+  command_expect(0,
+                 SYNTH("--seed", "7", "-o", "m.csv", "--with", "emittance:grey_white,factor=0.8"));
+  struct command c = command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white", "--nuisance",
+                                 "zero_point:vis,sigma=0.1", "--posterior", "--draws", "300",
+                                 "--out", "out", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  assert_non_null(strstr(c.out, "\nposterior: 300 draws, worth "));
+  assert_non_null(strstr(c.out, "\n  emittance:grey_white factor "));
+  assert_non_null(strstr(c.out, " instead of "));
+  char *text = command_read("out/posterior.csv");
+  assert_int_equal(strncmp(text, "weight,emittance:grey_white factor,zero_point:vis factor\n", 56),
+                   0);
+  double sum = 0.0, mean = 0.0, weight, value;
+  size_t rows = 0;
+  for (const char *line = strchr(text, '\n') + 1; *line != '\0'; line = strchr(line, '\n') + 1) {
+    assert_int_equal(sscanf(line, "%lf,%lf", &weight, &value), 2);
+    sum += weight;
+    mean += weight * value;
+    rows++;
+  }
+  assert_int_equal(rows, 300);
+  assert_close(sum, 1.0, 1e-6);
+  assert_close(mean, 0.8, 0.03); /* sigma is below 0.01 */
+  free(text);
+  text = command_read("out/posterior_curves.csv");
+  char *fitted = command_read("out/fit.csv");
+  assert_int_equal(command_count_lines(text), command_count_lines(fitted));
+  assert_int_equal(strncmp(text, "time_utc,quantity,of,low_5,median,high_95\n", 42), 0);
+  free(text);
+  free(fitted);
+  text = command_read("out/diagnosis.json");
+  assert_close(number_behind(text, "\"posterior\": {", "\"median\": "), mean, 0.005);
+  free(text);
+  assert_true(command_exists("out/posterior.png"));
+  command_release(&c);
+  c = command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white", "--draws", "30", NULL);
+  assert_int_equal(c.code, 2);
+  assert_non_null(strstr(c.err, "--draws goes with --posterior"));
+  command_release(&c);
+}
+
 /* One line beside what is said of the progress, exit 1, nothing written. */
 static void refused(const char *says, const char *verb, const char *option, const char *value)
 {
@@ -336,6 +382,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_progress, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_posterior, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refused, enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

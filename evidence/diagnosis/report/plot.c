@@ -116,6 +116,15 @@ static void put_model(struct um_plot *plot, const struct shown *s, bool before, 
               before ? "before" : "after");
 }
 
+/* Where the draws of a posterior have the model, 5 to 95 %. */
+static void put_band(struct um_plot *plot, const struct shown *s, double unit)
+{
+  um_plot_add(plot,
+              "'posterior_curves.csv' every ::%zu::%zu using (x(1)):(column(4)/%g):(column(6)/%g) "
+              "with filledcurves fillcolor rgb '#b8cbe8' title 'after, 5 to 95 %%', ",
+              s->first, s->last, unit, unit);
+}
+
 /* At its end what lies beyond the axis: measured, before, after. */
 static void put_cut(struct um_plot *plot, const struct shown *s)
 {
@@ -145,6 +154,7 @@ static void put_values(const struct shown *s, struct um_plot *plot)
               power);
   um_plot_ordinate(plot, &s->values, power, s->magnitude);
   um_plot_add(plot, "plot ");
+  if (s->d->posterior != NULL && s->curve) put_band(plot, s, power);
   if (!s->few) put_points(plot, s);
   if (!s->few) um_plot_add(plot, ", ");
   put_model(plot, s, true, power);
@@ -236,6 +246,7 @@ static enum um_status put_script(struct um_context *context, const struct um_dia
   struct um_plot_time time = um_diagnosis_report_plot_time(first, last);
   for (size_t c = 0, row = 1, count; c < forward->measurements->nchannel; c++, row += count)
     UM_TRY(put_channel(context, d, c, &time, row, &count, plot));
+  if (d->posterior != NULL) UM_TRY(um_diagnosis_report_plot_posterior(context, d, plot));
   if (d->nranking > 0) UM_TRY(um_diagnosis_report_plot_ranking(context, d, plot));
   if (d->unexplained != NULL && d->unexplained->nheat > 0 && d->unexplained->heat[0].nbin > 0)
     UM_TRY(um_diagnosis_report_plot_heat(context, d, plot));

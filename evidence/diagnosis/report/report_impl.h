@@ -30,6 +30,8 @@ void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
 void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
+/* What is known of fitted parameters together. */
+void um_diagnosis_report_json_posterior(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);
 
 /* The end of diagnosis.txt (text_next.c): what is left open. */
@@ -41,6 +43,14 @@ void um_diagnosis_report_write_text_next(const struct um_diagnosis *diagnosis, F
  * and leaves its folder as it is. command, folder: as of um_diagnosis_report_brief. */
 void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diagnosis,
                                      const char *command, const char *folder);
+/* posterior.csv and posterior_curves.csv; nothing without draws. UM_ERR_IO. */
+enum um_status um_diagnosis_report_posterior_write(struct um_context *context,
+                                                   const struct um_diagnosis *d,
+                                                   struct um_core_folder *folder);
+/* The picture "posterior" of the draws, which has tables of its own. UM_ERR_MEMORY. */
+enum um_status um_diagnosis_report_plot_posterior(struct um_context *context,
+                                                  const struct um_diagnosis *d,
+                                                  struct um_plot *plot);
 
 /* Pixels. */
 #define UM_DIAGNOSIS_PLOT_WIDTH 1000

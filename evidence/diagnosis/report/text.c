@@ -292,6 +292,7 @@ enum um_status um_diagnosis_report_write_text(struct um_context *context,
     UM_TRY(print_channels(context, file, d, d->value_before, d->dof, d->value_after, d->dof_after));
   }
   print_uses(file, d, "fitted along", d->nuisance, d->nuisance_sigma, d->nnuisance);
+  um_diagnosis_report_write_text_posterior(d, file);
   print_superseded(file, d);
   um_diagnosis_report_write_text_next(d, file);
   if (d->allowance) fprintf(file, "\nwhat is left is not quite noise\n");

@@ -12,4 +12,8 @@
 enum um_status um_diagnosis_report_write_text(struct um_context *context,
                                               const struct um_diagnosis *diagnosis, FILE *file);
 
+/* Of a fit: pairs of values that cannot be told apart, and the draws of its posterior; of a
+ * diagnosis nothing. */
+void um_diagnosis_report_write_text_posterior(const struct um_diagnosis *diagnosis, FILE *file);
+
 #endif

@@ -165,6 +165,7 @@ enum um_status um_diagnosis_report_write(struct um_context *context,
   status = write_fit(context, diagnosis, file);
   closed = um_core_file_close(context, "fit.csv", &file);
   UM_TRY(status != UM_OK ? status : closed);
+  UM_TRY(um_diagnosis_report_posterior_write(context, diagnosis, folder));
   if (diagnosis->unexplained != NULL && diagnosis->unexplained->nheat > 0) {
     UM_TRY(um_core_folder_open(context, folder, "heat.csv", &file));
     write_heat(diagnosis->unexplained, file);

@@ -198,6 +198,7 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   um_diagnosis_report_json_scatter(file, d);
   json_uses(file, d, "effects", d->addition, d->addition_sigma, d->naddition);
   json_uses(file, d, "nuisances", d->nuisance, d->nuisance_sigma, d->nnuisance);
+  um_diagnosis_report_json_posterior(file, d);
   fputs(",\n  \"steps\": [", file);
   for (size_t s = 0; s < d->nstep; s++) {
     fputs(s > 0 ? "," : "", file);

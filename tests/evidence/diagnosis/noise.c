@@ -130,11 +130,49 @@ static void test_white(void **state)
   end(&c);
 }
 
+/* Fits of the front's emittance, a tenth less than the analyst has it, to the same draw of noise:
+ * with its sigmas, with two thirds of them, with spikes. Sigma within a tenth is the same: by the
+ * stated sigmas alone it would be two thirds (288 rows tell a scale within 6 %). So is the value:
+ * a row in 32 set aside moves it by sqrt(1 / 32) = 0.18 sigma, within three times that. Nothing is
+ * said of what is white. */
+static void test_fit(void **state)
+{
+  (void)state;
+  static void (*const spoil[])(struct um_compare_measurements *) = {NULL, understate, spike};
+  double value = 0.0, sigma = 0.0;
+  for (size_t i = 0; i < 3; i++) {
+    struct diagnosed c = diagnose(&(struct lists){.with = LIST("emittance:grey_panel,factor=0.9"),
+                                                  .only = LIST("emittance:grey_panel"),
+                                                  .spoil = spoil[i]});
+    const struct um_diagnosis_options options = {.no_heat = true};
+    struct um_model_addition wanted = c.d->addition[0];
+    struct um_diagnosis *d;
+    for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) wanted.value[p] = NAN;
+    OK(um_diagnosis_fit_effects(context, c.forward, &wanted, 1, &options, &d));
+    print_message("  fit: %.5f +- %.5f, %s\n", d->addition[0].value[0], d->addition_sigma[0][0],
+                  d->summary);
+    if (i == 0) value = d->addition[0].value[0];
+    if (i == 0) sigma = d->addition_sigma[0][0];
+    assert_int_equal(d->verdict, UM_VERDICT_FOUND);
+    assert_true(fabs(d->addition[0].value[0] - value) < 0.54 * sigma);
+    assert_true(fabs(d->addition_sigma[0][0] / sigma - 1.0) < 0.1);
+    assert_int_equal(d->weighed, i > 0);
+    assert_int_equal(d->nscatter, i == 1 ? 2 : 0);
+    assert_true(i == 2 ? d->noutlier > 0 : d->noutlier == 0);
+    assert_true((strstr(d->summary, "times its sigma") != NULL) == (i == 1));
+    um_diagnosis_destroy(context, &d);
+    end(&c);
+  }
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_understated),      cmocka_unit_test(test_spikes),
-      cmocka_unit_test(test_discrepancy),      cmocka_unit_test(test_resembling),
-      cmocka_unit_test(test_effect_beside_it), cmocka_unit_test(test_white)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_understated),
+                                     cmocka_unit_test(test_spikes),
+                                     cmocka_unit_test(test_discrepancy),
+                                     cmocka_unit_test(test_resembling),
+                                     cmocka_unit_test(test_effect_beside_it),
+                                     cmocka_unit_test(test_white),
+                                     cmocka_unit_test(test_fit)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
