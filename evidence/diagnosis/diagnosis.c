@@ -61,6 +61,7 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   um_missing_heat_residual_release(context, &d->residual);
   UM_FREE(context, d->superseded, d->missed, d->scatter, d->outlier);
   um_missing_heat_unexplained_destroy(context, &d->unexplained);
+  um_missing_heat_unexplained_destroy(context, &d->heat_asked);
   um_core_free(context, d);
   *diagnosis = NULL;
 }

@@ -4,10 +4,12 @@
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_H
 
 #include "base/inference/score.h"
+#include "effects/half.h"
 #include "evidence/comparison/segments.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/missing_heat/residual.h"
 #include "evidence/missing_heat/unexplained.h"
+#include "evidence/missing_light/light.h"
 #include "evidence/sensitivity/candidates.h"
 
 /* A candidate in a step: always tested, and fitted where its score was among the best. */
@@ -170,6 +172,11 @@ struct um_diagnosis {
   struct um_diagnosis_next *next_of; /* [nnext] one per alternative of a step with a group */
   struct um_diagnosis_next *next; /* the one of those hardest to tell; NULL: nothing is ambiguous */
   struct um_missing_heat_unexplained *unexplained; /* NULL: nothing is */
+  struct um_missing_light light; /* of the same residual; any false: nothing is, or there is none */
+  double half[UM_HALVES]; /* probability that it is what is wrong; they sum to 1; NaN: nothing is */
+  /* where a draft was asked for: what explains the scenario with its nuisances alone */
+  struct um_missing_heat_unexplained *heat_asked; /* NULL: no heat can be looked for */
+  struct um_missing_light light_asked;
 };
 
 /* The step that added an effect of these; NULL: it was chosen, not found. */

@@ -22,6 +22,9 @@ struct um_diagnosis_options {
   size_t alternatives; /* candidates fitted at each step at most; 0: 8 */
   bool no_next;        /* do not look for the next measurement */
   bool no_heat;        /* do not reconstruct heat */
+  bool no_light;       /* do not look for a correction of light */
+  bool draft; /* whatever the verdict, say which heat and which correction of light explain the
+                 scenario without additions: heat_asked, light_asked */
 };
 
 #endif

@@ -319,6 +319,10 @@ static void say_unexplained(struct text *text, const struct um_diagnosis *d)
     add(text, "; what is left is not noise");
   }
   add_heat(text, d->unexplained);
+  char more[UM_DIAGNOSIS_LIGHT_TEXT + UM_DIAGNOSIS_HALF_TEXT];
+  um_diagnosis_light_text(d, more);
+  um_diagnosis_half_text(d, more + strlen(more));
+  add(text, "%s", more);
 }
 
 enum um_status um_diagnosis_summary_write(struct um_context *context, const struct um_diagnosis *d,
