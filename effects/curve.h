@@ -11,6 +11,7 @@ enum um_effect_curve_kind {
   UM_CURVE_HATS, /* n values at even places from a to b, joined by lines, held beyond */
   UM_CURVE_BUMP, /* exp(-((u - a) / b)^2 / 2), n 1 */
   UM_CURVE_EDGE, /* (1 + tanh((u - a) / b)) / 2, n 1; b below 0: on below a */
+  UM_CURVE_FALL, /* exp(-(u - a) / b), n 1; b below 0: it grows with u */
   UM_CURVE_WAVES /* of a circle: cos and sin of 1, 2 .. n / 2 times 2 pi u */
 };
 struct um_effect_curve {
@@ -36,6 +37,8 @@ static inline double um_effect_curve_function(const struct um_effect_curve *c, s
     return exp(-0.5 * away * away / (c->b * c->b));
   case UM_CURVE_EDGE:
     return 0.5 * (1.0 + tanh(away / c->b));
+  case UM_CURVE_FALL:
+    return exp(fmin(-away / c->b, 40.0));
   case UM_CURVE_WAVES:
     break;
   }

@@ -66,21 +66,25 @@ void um_diagnosis_halves_assign(const struct um_diagnosis_state *bare, struct um
     gain[h] = -INFINITY;
     d->half[h] = NAN;
   }
-  if (d->verdict == UM_VERDICT_COMPLETE) return;
+  bool asked = d->heat_asked != NULL || d->light_asked.any;
+  const struct um_missing_heat_unexplained *heat =
+      d->unexplained != NULL ? d->unexplained : d->heat_asked;
+  const struct um_missing_light *light = d->light.any ? &d->light : &d->light_asked;
+  if (d->verdict == UM_VERDICT_COMPLETE && !asked) return;
   for (size_t i = 0; i < d->nranking; i++) {
     const struct um_effect *effect = d->candidates->candidate[d->ranking[i].candidate].effect;
     put(gain, um_effects_half_of(effect),
         um_diagnosis_gain(d, bare, alone(d, bare, &d->ranking[i])));
   }
-  if (d->unexplained != NULL && d->unexplained->nheat > 0)
-    put(gain, UM_HALF_HEAT, gain_of_heat(d->unexplained, (double)bare->fit->nobservation));
-  if (d->light.any) put(gain, half_of_light(&d->light), d->light.worth);
+  if (heat != NULL && heat->nheat > 0)
+    put(gain, UM_HALF_HEAT, gain_of_heat(heat, (double)bare->fit->nobservation));
+  if (light->any) put(gain, half_of_light(light), light->worth);
   for (size_t i = 0; i < d->naddition; i++)
     together[um_effects_half_of(d->addition[i].effect)] += 1.0 / (double)d->naddition;
   if (d->naddition > 1) several = um_diagnosis_gain(d, bare, d->bic_after);
   most = several;
   for (size_t h = 0; h < UM_HALVES; h++) most = fmax(most, gain[h]);
-  if (!isfinite(most)) return;
+  if (!isfinite(most) || (d->verdict == UM_VERDICT_COMPLETE && most <= 0.0)) return;
   for (size_t h = 0; h < UM_HALVES; h++) {
     d->half[h] = exp(0.5 * (gain[h] - most)) + together[h] * exp(0.5 * (several - most));
     sum += d->half[h];

@@ -15,6 +15,8 @@
 #include "base/inference/algebra.h"
 #include "model/run/effect_view.h"
 
+#define THERMAL 2.5e-6 /* [m] shorter light is reflected, longer is emitted */
+
 static bool is_light(const struct um_sensitivity_forward *f, size_t j)
 {
   enum um_compare_quantity q = f->measurements->channel[f->observations.channel[j]].quantity;
@@ -22,11 +24,13 @@ static bool is_light(const struct um_sensitivity_forward *f, size_t j)
 }
 
 /* Number of a band among those that are measured; it joins them where it is new. */
-static size_t band_number(struct um_missing_light_observations *o, const char *name)
+static size_t band_number(struct um_missing_light_observations *o,
+                          const struct um_optics_band *band)
 {
   for (size_t b = 0; b < o->nband; b++)
-    if (strcmp(o->band[b], name) == 0) return b;
-  o->band[o->nband] = name;
+    if (strcmp(o->band[b], band->name) == 0) return b;
+  o->band[o->nband] = band->name;
+  o->thermal[o->nband] = band->from > THERMAL;
   return o->nband++;
 }
 
@@ -73,7 +77,7 @@ static void fill_one(struct um_missing_light_observations *o,
       um_model_effect_view(o->run.variant.tables, o->run.result, o->material, k, band);
   double sigma = f->observations.sigma[j];
   double c = from_irradiance(f->measurements->channel[channel].quantity, view.range, median);
-  o->of[j] = band_number(o, f->model->band[band].name);
+  o->of[j] = band_number(o, &f->model->band[band]);
   for (size_t m = 0; m < o->nmaterial; m++)
     o->unit[m * n + j] = um_effect_share(&view, o->material[m]) * value[j] / sigma;
   o->unit[o->nmaterial * n + j] = value[j] / sigma;
@@ -149,6 +153,7 @@ enum um_status um_missing_light_observations_create(struct um_context *context,
   o->nmaterial = o->run.result->nmaterial;
   UM_TRY(um_core_allocate(context, n, sizeof *o->of, &o->of));
   UM_TRY(um_core_allocate(context, forward->model->nband, sizeof *o->band, (void *)&o->band));
+  UM_TRY(um_core_allocate(context, forward->model->nband, sizeof *o->thermal, &o->thermal));
   UM_TRY(um_core_allocate(context, (o->nmaterial + 3) * n, sizeof *o->unit, &o->unit));
   UM_TRY(um_core_allocate(context, UM_COORDINATES * n, sizeof *o->coordinate, &o->coordinate));
   return fill(context, forward, value, o);
@@ -159,7 +164,7 @@ void um_missing_light_observations_release(struct um_context *context,
 {
   um_sensitivity_forward_run_release(context, &o->run);
   um_inference_projection_destroy(context, &o->projection);
-  UM_FREE(context, o->residual, (void *)o->band, o->of, (void *)o->material, o->unit,
+  UM_FREE(context, o->residual, (void *)o->band, o->thermal, o->of, (void *)o->material, o->unit,
           o->coordinate);
 }
 

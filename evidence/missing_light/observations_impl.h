@@ -13,6 +13,7 @@ struct um_missing_light_observations {
   double square;    /* of the residual */
   size_t nband;
   const char **band; /* [nband] that are measured; borrowed from the model of the forward */
+  bool *thermal;     /* [nband] beyond 2.5 um: light that does not ask where the Sun is */
   size_t *of;        /* [nobservation] its band of those; nband: no light */
   size_t nmaterial;
   const char **material; /* [nmaterial] */

@@ -7,7 +7,9 @@
 /* ---- what is tried ---- */
 
 /* Knots of a curve that is joined by lines, at most. HAND: an effect has eight parameters. */
-#define UM_MISSING_LIGHT_KNOTS 6
+#define UM_MISSING_LIGHT_KNOTS 8
+/* Turns of a circular coordinate, up to which it is taken as an arc with ends [1]. HAND. */
+#define UM_MISSING_LIGHT_ARC 0.8
 /* Pairs of waves of a circular coordinate, at most. HAND. */
 #define UM_MISSING_LIGHT_WAVES 3
 /* Places of a bump or an edge over the range that was seen, and how wide each may be, from the
@@ -33,7 +35,7 @@
 #define UM_MISSING_LIGHT_CHOSEN 2
 /* What time costs beside other coordinates, in BIC [1]. HAND: along one pass every angle is a
  * function of time, and what goes with an angle comes again. */
-#define UM_MISSING_LIGHT_TIME 6.0
+#define UM_MISSING_LIGHT_TIME 10.0
 /* What it costs, in BIC [1], that a coordinate is none of the place: a surface does not know the
  * elevation at the station, nor the sky the attitude of the body. HAND: odds of 150 to 1. One pass
  * gives several coordinates that fit alike. */

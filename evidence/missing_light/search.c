@@ -95,10 +95,19 @@ void um_missing_light_fit(struct um_missing_light_search *s, struct um_missing_l
 size_t um_missing_light_numbers(const struct um_missing_light_attempt *a)
 {
   bool placed = a->curve.kind == UM_CURVE_BUMP || a->curve.kind == UM_CURVE_EDGE;
-  return a->nvalue + (placed ? 2 : 0);
+  return a->nvalue + (placed ? 2 : a->curve.kind == UM_CURVE_FALL ? 1 : 0);
 }
 
-/* Is the coordinate one that the place knows? */
+/* Does it act on emitted light? */
+static bool is_thermal(const struct um_missing_light_observations *o,
+                       const struct um_missing_light_attempt *a)
+{
+  bool all = a->band == UM_MISSING_LIGHT_GREY || a->band == UM_MISSING_LIGHT_OWN, any = false;
+  for (size_t b = 0; b < o->nband; b++) any = any || ((all || b == a->band) && o->thermal[b]);
+  return any;
+}
+
+/* Is the coordinate one that the place knows? Emitted light does not know where the Sun is. */
 static bool is_odd(const struct um_missing_light_observations *o,
                    const struct um_missing_light_attempt *a)
 {
@@ -106,9 +115,12 @@ static bool is_odd(const struct um_missing_light_observations *o,
   bool sky = c >= UM_COORDINATE_AIRMASS; /* of the station, with elevation and azimuth */
   bool body = c >= UM_COORDINATE_SUN_X && c <= UM_COORDINATE_TURN_Z;
   bool earth = c == UM_COORDINATE_NADIR_SUN || c == UM_COORDINATE_SUNLIT;
-  if (c == UM_COORDINATE_TIME) return false; /* UM_MISSING_LIGHT_TIME */
-  if (a->kind == UM_LIGHT_IRRADIANCE) return !sky;
-  if (a->kind == UM_LIGHT_INTENSITY || a->material < o->nmaterial) return sky || earth;
+  bool time = c == UM_COORDINATE_TIME; /* which costs UM_MISSING_LIGHT_TIME everywhere */
+  bool sun = c == UM_COORDINATE_PHASE || (c >= UM_COORDINATE_SUN_X && c <= UM_COORDINATE_SUN_Z) ||
+             (c >= UM_COORDINATE_BISECTOR_X && c <= UM_COORDINATE_BISECTOR_Z) || earth;
+  if (sun && is_thermal(o, a)) return true;
+  if (a->kind == UM_LIGHT_IRRADIANCE) return !sky && !time;
+  if (a->kind == UM_LIGHT_INTENSITY || a->material < o->nmaterial) return sky || earth || time;
   return body;
 }
 
@@ -161,13 +173,21 @@ static void try_curves(struct um_missing_light_search *s, size_t slot,
 {
   int circular = um_effect_is_circular(a->coordinate);
   double range = to - from;
-  for (size_t n = 1; n <= UM_MISSING_LIGHT_KNOTS && !circular; n++) {
+  bool opens = !circular || range < UM_MISSING_LIGHT_ARC; /* lines do not close */
+  for (size_t n = 1; n <= UM_MISSING_LIGHT_KNOTS && opens; n++) {
     if (n == 1 && a->coordinate != UM_COORDINATE_PHASE) continue; /* a constant, once */
     a->curve = (struct um_effect_curve){UM_CURVE_HATS, n, from, to, 0};
     try_bands(s, slot, a);
   }
   for (size_t n = 1; n <= UM_MISSING_LIGHT_WAVES && circular; n++) {
     a->curve = (struct um_effect_curve){UM_CURVE_WAVES, 2 * n, 0.0, 1.0, 1};
+    try_bands(s, slot, a);
+  }
+  for (int w = -2; w < UM_MISSING_LIGHT_WIDTHS && !circular; w++) {
+    double length = ldexp(UM_MISSING_LIGHT_WIDEST * range, -w);
+    a->curve = (struct um_effect_curve){UM_CURVE_FALL, 1, from, length, 0};
+    try_bands(s, slot, a);
+    a->curve = (struct um_effect_curve){UM_CURVE_FALL, 1, to, -length, 0};
     try_bands(s, slot, a);
   }
   for (int w = 0; w < UM_MISSING_LIGHT_WIDTHS; w++)

@@ -45,7 +45,7 @@ double um_missing_light_worth(const struct um_missing_light_observations *o,
 /* Least squares of its values; chi2 0 where it rests on too few observations. */
 void um_missing_light_fit(struct um_missing_light_search *search,
                           struct um_missing_light_attempt *a);
-/* Better places and widths of a bump or an edge. */
+/* Better places and widths of a bump or an edge, a better length of a fall. */
 void um_missing_light_refine(struct um_missing_light_search *search,
                              struct um_missing_light_attempt *a);
 /* Range of a coordinate where light was measured; false: it does not vary. */

@@ -50,9 +50,10 @@ static const char lamp[] =
 
 static const struct {
   const char *name, *hidden, *says; /* what stands in the draft */
-} cases[] = {{"heat", heat, "UM_HEAT_PULSE"},
-             {"cloud", cloud, "1.0 + f * um_effect_share(o->view, MATERIAL)"},
-             {"lamp", lamp, "o->value += f / (o->view->range * o->view->range);"}};
+  const char *half;                 /* what is wrong */
+} cases[] = {{"heat", heat, "UM_HEAT_PULSE", "heat"},
+             {"cloud", cloud, "1.0 + f * um_effect_share(o->view, MATERIAL)", "air"},
+             {"lamp", lamp, "o->value += f / (o->view->range * o->view->range);", "surface"}};
 #define CASES (sizeof cases / sizeof cases[0])
 
 static int enter(void **state)
@@ -138,6 +139,25 @@ static void conforms(const char *draft)
   command_release(&page);
 }
 
+/* Probabilities of the halves add to one, and that one is the largest. */
+static void check_halves(const char *json, const char *half)
+{
+  static const char *const halves[] = {"heat",         "surface", "geometry_attitude",
+                                       "earth_shadow", "air",     "instrument"};
+  const char *at = strstr(json, "\"halves\": {");
+  double sum = 0.0, of = 0.0;
+  assert_non_null(at);
+  for (size_t h = 0; h < 6; h++) {
+    char key[40];
+    snprintf(key, sizeof key, "\"%s\": ", halves[h]);
+    double p = number_behind(at, key);
+    sum += p;
+    if (strcmp(halves[h], half) == 0) of = p;
+  }
+  assert_close(sum, 1.0, 1e-6);
+  if (!(of > 0.5)) fail_msg("%s with %g: %.300s", half, of, at);
+}
+
 static void draft_explains_elsewhere(void **state)
 {
   (void)state;
@@ -154,6 +174,7 @@ static void draft_explains_elsewhere(void **state)
                     "zero_point:lwir", "--draft-effect", "mine.c", "--json", NULL);
     if (c.code != 0) fail_msg("%s: exit %d: %s", cases[i].name, c.code, c.err);
     if (!json_is_valid(c.out, &where)) fail_msg("not JSON from here on: %.60s", where);
+    check_halves(c.out, cases[i].half);
     command_release(&c);
     char *draft = command_read("mine.c");
     if (strstr(draft, cases[i].says) == NULL)

@@ -204,7 +204,7 @@ static void put_heat(const struct um_diagnosis *d, const char *name, const char 
 static void put_light_hook(const struct um_missing_light *l, FILE *file)
 {
   static const char *const curve[] = {"UM_CURVE_HATS", "UM_CURVE_BUMP", "UM_CURVE_EDGE",
-                                      "UM_CURVE_WAVES"};
+                                      "UM_CURVE_FALL", "UM_CURVE_WAVES"};
   static const char *const coordinate[UM_COORDINATES] = {
       "TIME",       "PHASE",      "SUN_X",      "SUN_Y",      "SUN_Z",  "OBSERVER_X", "OBSERVER_Y",
       "OBSERVER_Z", "BISECTOR_X", "BISECTOR_Y", "BISECTOR_Z", "TURN_X", "TURN_Y",     "TURN_Z",
@@ -271,6 +271,10 @@ static void help_of(const struct um_missing_light *l, size_t i, char out[160])
   case UM_CURVE_EDGE:
     snprintf(out, 160, "in %.60s, %s the edge at %s %.6g", in, l->curve.b > 0.0 ? "above" : "below",
              of, l->curve.a);
+    return;
+  case UM_CURVE_FALL:
+    snprintf(out, 160, "in %.60s, at %s %.6g, %s to a third in %.4g", in, of, l->curve.a,
+             l->curve.b > 0.0 ? "falling" : "from there down", fabs(l->curve.b));
     return;
   case UM_CURVE_WAVES:
     break;

@@ -7,10 +7,10 @@
 
 static void json_curve(FILE *file, const struct um_missing_light *l)
 {
-  static const char *const kind[] = {"lines", "bump", "edge", "waves"};
+  static const char *const kind[] = {"lines", "bump", "edge", "fall", "waves"};
   bool time = l->coordinate == UM_COORDINATE_TIME;
   um_core_json_text(file, ", \"curve\": {", "kind", kind[l->curve.kind]);
-  if (l->curve.kind == UM_CURVE_BUMP || l->curve.kind == UM_CURVE_EDGE) {
+  if (l->curve.kind != UM_CURVE_HATS && l->curve.kind != UM_CURVE_WAVES) {
     if (time)
       um_diagnosis_report_json_time(file, ", ", "at_utc", l->curve.a);
     else
