@@ -11,6 +11,7 @@ void um_diagnosis_light_text(const struct um_diagnosis *d, char out[UM_DIAGNOSIS
   double explained = d->light.chi2_before - d->light.chi2_after;
   out[0] = '\0';
   if (!d->light.any || !(d->light.worth > UM_DIAGNOSIS_EVIDENCE)) return;
+  if (d->unexplained != NULL && d->unexplained->found && !d->light.found) return; /* heat does */
   um_missing_light_text(&d->light, light);
   if (d->light.found)
     snprintf(out, UM_DIAGNOSIS_LIGHT_TEXT, ". A correction of light explains it: %s", light);
