@@ -42,7 +42,8 @@ static inline double um_effect_curve_function(const struct um_effect_curve *c, s
   case UM_CURVE_WAVES:
     break;
   }
-  double angle = 2.0 * UM_PI * (double)(i / 2 + 1) * u;
+  size_t wave = i / 2 + 1;
+  double angle = 2.0 * UM_PI * (double)wave * u;
   return i % 2 == 0 ? cos(angle) : sin(angle);
 }
 
