@@ -163,7 +163,7 @@ def answer(umbra, arguments, folder):
 
 
 # Keys that no command above prints; tests/evidence/diagnosis/report.c writes them.
-SELDOM = (".superseded[]", ".unexplained.others", ".scatter[]", ".outliers[]")
+SELDOM = (".superseded[]", ".unexplained.others", ".scatter[]", ".outliers[]", ".unexplained.light")
 
 
 def keys_of(schema, at=""):

@@ -49,7 +49,7 @@ static enum um_status light(struct um_context *context, const struct um_effect_u
       o->value += 40.0 * a * pow(toward(middle, 0.3, 0.1, 0.95), 20.0) * v->sunlit / square;
     break;
   case 6: /* the lit limb, in both bands */
-    o->value *= 1.0 + a * (visible ? 0.3 : 0.1) / (1.0 + exp((away - 1.9) / 0.05));
+    o->value *= 1.0 + a * (visible ? 0.3 : 0.1) / (1.0 + exp((away - 1.3) / 0.05));
     break;
   case 7: /* a detector that warms up */
     o->value *= 1.0 + 0.2 * a * (1.0 - exp(-(o->t_tai - use->epoch) / 200.0));

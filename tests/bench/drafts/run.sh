@@ -1,5 +1,5 @@
 #!/bin/sh
-# What drafts are worth: run.sh UMBRA SOURCE. Each of ten hidden effects is put into the pass of
+# What drafts are worth: run.sh UMBRA SOURCE [NUMBERS]. Each of ten hidden effects is put into the pass of
 # scenarios/hidden-effect/dusk with noise of 1 %, the draft is written, compiled and held against
 # what had no say: of light another pass over another station, of heat, which is of one time,
 # another station. The share of chi-square above its degrees of freedom that it takes away.
@@ -10,7 +10,7 @@ work=$(mktemp -d) && cd "$work"
 dusk=$source/scenarios/hidden-effect/dusk
 cc="cc -std=c17 -O2 -Wall -Wextra -Werror -shared -fPIC -I$source"
 chi() { "$umbra" compare "$dusk" $where test.csv "$@" --out c --no-plots --force --json 2>/dev/null; }
-for n in 1 2 3 4 5 6 7 8 9 10; do
+for n in ${3:-1 2 3 4 5 6 7 8 9 10}; do
   where="--set time.start_utc=2026-03-20T20:18:00Z --set time.stop_utc=2026-03-20T20:32:00Z
     --set observer.station.longitude_deg=-22 --set observer.station.latitude_deg=50"
   [ $n -gt 8 ] && where="--set observer.station.longitude_deg=24 --set observer.station.latitude_deg=42"
