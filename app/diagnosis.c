@@ -17,7 +17,8 @@
 /* What decides answers, beside files, program and changes of the scenario. */
 static uint64_t digest_of(const struct um_app_options *o)
 {
-  const double numbers[] = {o->level, (double)o->steps, o->posterior ? 1.0 : 0.0, (double)o->draws};
+  const double numbers[] = {o->level, (double)o->steps, o->posterior ? 1.0 : 0.0, (double)o->draws,
+                            o->draft_effect != NULL};
   uint64_t digest = um_core_digest_texts(UM_CORE_DIGEST_BEGIN, o->only, o->nonly);
   digest = um_core_digest_texts(digest, o->exclude, o->nexclude);
   digest = um_core_digest_texts(digest, o->nuisance, o->nnuisance);
@@ -65,6 +66,7 @@ enum um_status um_app_diagnosis_begin(struct um_context *context,
       .wanted = options->add,
       .nwanted = options->nadd,
   };
+  UM_TRY(um_app_draft_check(context, options));
   um_app_terminal_progress_in_pipes(); /* it takes minutes, and its tables come at the end */
   work->changes = um_app_model_options(options);
   UM_TRY(um_core_snapshot_begin(context));
@@ -86,6 +88,7 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
   char *brief;
   UM_TRY(um_diagnosis_report_write(context, d, options->command, UM_APP_VERSION, !options->no_plots,
                                    work->folder));
+  if (options->draft_effect != NULL) UM_TRY(um_app_draft_write(context, d, options));
   UM_TRY(um_core_folder_commit(context, &work->folder));
   work->written = true;
   um_app_terminal_clear();

@@ -34,4 +34,11 @@ enum um_status um_app_diagnosis_finish(struct um_context *context,
 /* What was computed stays on record where results were not written, and the message says so. */
 void um_app_diagnosis_release(struct um_context *context, struct um_app_diagnosis *work);
 
+/* Whether --draft-effect names a C file that may be written. UM_ERR_INPUT: it does not end in .c,
+ * it is there and --force is not given, it is no file. */
+enum um_status um_app_draft_check(struct um_context *context, const struct um_app_options *options);
+/* The draft of a finished diagnosis, and a line about it to stderr. */
+enum um_status um_app_draft_write(struct um_context *context, const struct um_diagnosis *diagnosis,
+                                  const struct um_app_options *options);
+
 #endif

@@ -12,6 +12,7 @@
 
 #include "base/core/context.h"
 #include "base/core/vec.h"
+#include "effects/view.h"
 #include "environment/environment.h"
 #include "geometry/creases.h"
 #include "geometry/geometry.h"
@@ -20,7 +21,7 @@
 #include "orbit/attitude.h"
 #include "thermal/network/body.h"
 
-#define UM_EFFECT_ABI_VERSION 6
+#define UM_EFFECT_ABI_VERSION 7
 
 /* The version of the program that no longer accepts `formerly` of a parameter. */
 #define UM_EFFECT_FORMERLY_UNTIL "0.6"
@@ -32,8 +33,8 @@ enum um_effect_target {
   UM_TARGET_MATERIAL = 8,
   UM_TARGET_BAND = 16,
   UM_TARGET_SENSOR = 32,
-  /* beside PART: "part.NAME", what the scenario lists under `interiors`; beside PART_SIDE, where the
-   * part's name is that of its walls, also "part.interior" */
+  /* beside PART: "part.NAME", what the scenario lists under `interiors`; beside PART_SIDE, where
+   * the part's name is that of its walls, also "part.interior" */
   UM_TARGET_INTERIOR = 64
 };
 
@@ -178,6 +179,9 @@ struct um_effect_observation {
   const struct um_instrument_sensor *sensor;
   double electrons;  /* of the whole image in an exposure, per irradiance [e per W/m^2]; NAN */
   double background; /* of a pixel in it [e]; NAN: no pixels are known */
+  /* Sun, observer and Earth from the satellite, and which material the light comes from; NULL: of a
+   * star */
+  const struct um_effect_view *view;
 };
 
 /* Each hook may be NULL. A hook adds to or scales what is there, never sets it, and does nothing at
@@ -234,15 +238,18 @@ struct um_effect_hooks {
   UM_EFFECT_MIX4(UM_EFFECT_MIX4(hash, a, b, c, d), e, f, g, h)
 #define UM_EFFECT_LAYOUT                                                                           \
   UM_EFFECT_MIX(                                                                                   \
-      UM_EFFECT_MIX8(UM_EFFECT_MIX8(14695981039346656037ULL, struct um_effect_hooks,               \
-                                    struct um_effect_use, struct um_effect_parameter,              \
-                                    struct um_effect_observation, struct um_environment,           \
-                                    struct um_materials_adjustment, struct um_geometry_part_spec,  \
-                                    struct um_thermal_part_spec),                                  \
-                     struct um_thermal_group_spec, struct um_thermal_shell, struct um_thermal_mli, \
-                     struct um_thermal_contact, struct um_orbit_attitude_law, struct um_quat,      \
-                     struct um_thermal_interior_spec, struct um_geometry_creasing),                \
-      struct um_effect_nominal)
+      UM_EFFECT_MIX(UM_EFFECT_MIX8(                                                                \
+                        UM_EFFECT_MIX8(14695981039346656037ULL, struct um_effect_hooks,            \
+                                       struct um_effect_use, struct um_effect_parameter,           \
+                                       struct um_effect_observation, struct um_environment,        \
+                                       struct um_materials_adjustment,                             \
+                                       struct um_geometry_part_spec, struct um_thermal_part_spec), \
+                        struct um_thermal_group_spec, struct um_thermal_shell,                     \
+                        struct um_thermal_mli, struct um_thermal_contact,                          \
+                        struct um_orbit_attitude_law, struct um_quat,                              \
+                        struct um_thermal_interior_spec, struct um_geometry_creasing),             \
+                    struct um_effect_nominal),                                                     \
+      struct um_effect_view)
 /* The first members of every descriptor. */
 #define UM_EFFECT_ABI                                                                              \
   .abi_version = UM_EFFECT_ABI_VERSION, .struct_size = sizeof(struct um_effect),                   \

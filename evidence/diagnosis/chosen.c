@@ -99,6 +99,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   UM_CHECK(um_diagnosis_fitted_list(context, &state, d));
   UM_CHECK(um_diagnosis_ties_of_fit(context, &state, d));
   UM_CHECK(um_diagnosis_posterior_draw(context, &work, &state, d));
+  for (size_t h = 0; h < UM_HALVES; h++) d->half[h] = NAN;
   d->probability =
       (struct um_diagnosis_probability){NAN, NAN, NAN, NAN}; /* nothing else was asked */
   d->verdict = um_diagnosis_judge(&state, d);

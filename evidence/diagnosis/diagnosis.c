@@ -63,6 +63,7 @@ void um_diagnosis_destroy(struct um_context *context, struct um_diagnosis **diag
   um_missing_heat_unexplained_destroy(context, &d->unexplained);
   um_diagnosis_posterior_destroy(context, &d->posterior);
   UM_FREE(context, d->fitted, d->tie);
+  um_missing_heat_unexplained_destroy(context, &d->heat_asked);
   um_core_free(context, d);
   *diagnosis = NULL;
 }

@@ -4,11 +4,13 @@
 #define UMBRA_DIAGNOSIS_DIAGNOSIS_H
 
 #include "base/inference/score.h"
+#include "effects/half.h"
 #include "evidence/comparison/segments.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/posterior.h"
 #include "evidence/missing_heat/residual.h"
 #include "evidence/missing_heat/unexplained.h"
+#include "evidence/missing_light/light.h"
 #include "evidence/sensitivity/candidates.h"
 
 /* A candidate in a step: always tested, and fitted where its score was among the best. */
@@ -177,6 +179,11 @@ struct um_diagnosis {
   size_t ntie;
   struct um_diagnosis_tie *tie;             /* [ntie] by the draws, where there are some */
   struct um_diagnosis_posterior *posterior; /* NULL: not asked for */
+  struct um_missing_light light; /* of the same residual; any false: nothing is, or there is none */
+  double half[UM_HALVES]; /* probability that it is what is wrong; they sum to 1; NaN: nothing is */
+  /* where a draft was asked for: what explains the scenario with its nuisances alone */
+  struct um_missing_heat_unexplained *heat_asked; /* NULL: no heat can be looked for */
+  struct um_missing_light light_asked;
 };
 
 /* The step that added an effect of these; NULL: it was chosen, not found. */

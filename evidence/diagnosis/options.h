@@ -26,6 +26,9 @@ struct um_diagnosis_options {
   bool no_heat;        /* do not reconstruct heat */
   size_t draws;        /* from the posterior of chosen effects, each a run; 0: none */
   uint64_t seed;       /* of them */
+  bool no_light;       /* do not look for a correction of light */
+  bool draft; /* whatever the verdict, say which heat and which correction of light explain the
+                 scenario without additions: heat_asked, light_asked */
 };
 
 #endif

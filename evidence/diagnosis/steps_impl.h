@@ -174,6 +174,19 @@ void um_diagnosis_superseded_keep(const struct um_diagnosis_state *state, struct
 /* BIC of a fitted state with the best missing heat added, each number of its shape counted. */
 double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,
                               const struct um_inference_fit *fit);
+/* By how much an explanation of that BIC is better than the scenario with its nuisances alone
+ * (bare), comparable with the worth of missing light: where no noise was estimated, over the
+ * reduced chi-square that is left. */
+double um_diagnosis_gain(const struct um_diagnosis *d, const struct um_diagnosis_state *bare,
+                         double bic);
+/* ". A correction of light explains it: ...", "" where there is none worth a word. */
+#define UM_DIAGNOSIS_LIGHT_TEXT (UM_MISSING_LIGHT_TEXT + 80)
+void um_diagnosis_light_text(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_LIGHT_TEXT]);
+/* ". What is wrong is most likely the air (probability 0.9)", "" where nothing is. */
+#define UM_DIAGNOSIS_HALF_TEXT 120
+void um_diagnosis_half_text(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_HALF_TEXT]);
+/* Which half is wrong; bare: the scenario with its nuisances, fitted. */
+void um_diagnosis_halves_assign(const struct um_diagnosis_state *bare, struct um_diagnosis *d);
 
 /* Add them and fit all; candidate i of the work is of wanted[i]. Where values are NAN, no start is
  * said. UM_ERR_INPUT: nothing to fit, too many free parameters. */

@@ -189,6 +189,7 @@ static size_t say_classes(struct um_diagnosis_words *text, const struct um_diagn
 static size_t say_unexplained(struct um_diagnosis_words *text, const struct um_diagnosis *d,
                               size_t *left)
 {
+  char light[UM_DIAGNOSIS_LIGHT_TEXT], half[UM_DIAGNOSIS_HALF_TEXT];
   size_t more;
   if (d->candidates == NULL) { /* chosen, not found */
     more = um_diagnosis_words_class(text, d, UM_DIAGNOSIS_CHOSEN, "Fitted: ", "And: ", left);
@@ -202,6 +203,9 @@ static size_t say_unexplained(struct um_diagnosis_words *text, const struct um_d
   more = say_classes(text, d, "Certain all the same: ", "Certain, too: ", left);
   add_residual(text, d);
   add_heat(text, d->unexplained);
+  um_diagnosis_light_text(d, light);
+  um_diagnosis_half_text(d, half);
+  add(text, "%s%s", light, half);
   return more;
 }
 

@@ -67,12 +67,12 @@ static double square(const struct um_missing_heat_bins *bins, const double *a, s
 
 /* Weights of the bins; the first that has any. */
 static size_t weights(const struct um_missing_heat_bins *bins,
-                      const struct um_missing_heat_course *course)
+                      const struct um_thermal_course *course)
 {
   size_t first = bins->nbin;
-  double before = um_missing_heat_course_energy(course, bins->edge[0]);
+  double before = um_thermal_course_energy(course, bins->edge[0]);
   for (size_t b = 0; b < bins->nbin; b++) {
-    double energy = um_missing_heat_course_energy(course, bins->edge[b + 1]);
+    double energy = um_thermal_course_energy(course, bins->edge[b + 1]);
     bins->weight[b] = (energy - before) / (bins->edge[b + 1] - bins->edge[b]);
     if (first == bins->nbin && bins->weight[b] != 0.0) first = b;
     before = energy;
@@ -80,14 +80,13 @@ static size_t weights(const struct um_missing_heat_bins *bins,
   return first;
 }
 
-struct um_missing_heat_weighed
-um_missing_heat_bins_weigh(const struct um_missing_heat_bins *bins,
-                           const struct um_missing_heat_course *course)
+struct um_missing_heat_weighed um_missing_heat_bins_weigh(const struct um_missing_heat_bins *bins,
+                                                          const struct um_thermal_course *course)
 {
   struct um_missing_heat_weighed out = {.sigma = INFINITY};
   size_t first = weights(bins, course);
   double left = square(bins, bins->gram, first);
-  out.length = um_missing_heat_course_energy(course, bins->edge[bins->nbin]);
+  out.length = um_thermal_course_energy(course, bins->edge[bins->nbin]);
   if (!(left > UM_INFERENCE_KEPT * UM_INFERENCE_KEPT * square(bins, bins->whole, first)))
     return out;
   double with = um_inference_dot(bins->nbin - first, bins->weight + first, bins->with + first);
@@ -98,8 +97,7 @@ um_missing_heat_bins_weigh(const struct um_missing_heat_bins *bins,
 }
 
 void um_missing_heat_bins_respond(const struct um_missing_heat_bins *bins,
-                                  const struct um_missing_heat_course *course, double power,
-                                  double *out)
+                                  const struct um_thermal_course *course, double power, double *out)
 {
   memset(out, 0, bins->nleft * sizeof *out);
   for (size_t b = weights(bins, course); b < bins->nbin; b++)

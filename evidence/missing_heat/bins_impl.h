@@ -4,7 +4,7 @@
 #define UMBRA_MISSING_HEAT_BINS_IMPL_H
 
 #include "base/inference/projection.h"
-#include "evidence/missing_heat/shape.h"
+#include "thermal/network/course.h"
 
 struct um_missing_heat_bins {
   size_t nbin, nleft, nobservation;
@@ -34,13 +34,12 @@ struct um_missing_heat_weighed {
   double length; /* [s] energy at 1 W until the last edge */
 };
 /* Heat in a bin is the mean of the course there. Writes bins->weight. */
-struct um_missing_heat_weighed
-um_missing_heat_bins_weigh(const struct um_missing_heat_bins *bins,
-                           const struct um_missing_heat_course *course);
+struct um_missing_heat_weighed um_missing_heat_bins_weigh(const struct um_missing_heat_bins *bins,
+                                                          const struct um_thermal_course *course);
 
 /* out[nleft] = what a power of that course does by the linear response. */
 void um_missing_heat_bins_respond(const struct um_missing_heat_bins *bins,
-                                  const struct um_missing_heat_course *course, double power,
+                                  const struct um_thermal_course *course, double power,
                                   double *out);
 
 #endif

@@ -34,13 +34,13 @@ enum um_status um_missing_heat_change(struct um_context *context,
 {
   enum um_status status;
   size_t n = base->forward->observations.count;
-  size_t nrow = um_missing_heat_course_rows(&fit->course, end, NULL, NULL);
+  size_t nrow = um_thermal_course_rows(&fit->course, end, NULL, NULL);
   double *cold = NULL, *value = NULL, *t = NULL, *power = NULL;
   UM_CHECK(um_core_allocate(context, n, sizeof *cold, &cold));
   UM_CHECK(um_core_allocate(context, n, sizeof *value, &value));
   UM_CHECK(um_core_allocate(context, nrow, sizeof *t, &t));
   UM_CHECK(um_core_allocate(context, nrow, sizeof *power, &power));
-  um_missing_heat_course_rows(&fit->course, end, t, power);
+  um_thermal_course_rows(&fit->course, end, t, power);
   for (size_t i = 0; i < nrow; i++) power[i] *= fit->power;
   const struct um_thermal_source source = {.node = place->node,
                                            .weight = place->weight,

@@ -6,18 +6,18 @@
 #include "evidence/missing_heat/bins_impl.h"
 
 struct um_missing_heat_fit {
-  struct um_missing_heat_course course; /* with the largest chi-square */
-  double chi2, power;                   /* that it explains, and at which power [W] */
-  double energy;                        /* [J] until the last edge */
+  struct um_thermal_course course; /* with the largest chi-square */
+  double chi2, power;              /* that it explains, and at which power [W] */
+  double energy;                   /* [J] until the last edge */
   double start_sigma, last_sigma, period_sigma, energy_sigma; /* marginal over all that is fitted */
   double bic;                                                 /* -chi2 / scale + parameters ln n */
 };
 struct um_missing_heat_choice {
   struct um_missing_heat_fit of[UM_HEAT_SHAPES];
-  enum um_missing_heat_shape shape; /* of the least bic */
-  double start_sigma, energy_sigma; /* of that, with what the choice of the shape leaves open */
-  double scale;                     /* reduced chi-square that is left, at least 1 */
-  size_t tried;                     /* courses of the search */
+  enum um_thermal_course_shape shape; /* of the least bic */
+  double start_sigma, energy_sigma;   /* of that, with what the choice of the shape leaves open */
+  double scale;                       /* reduced chi-square that is left, at least 1 */
+  size_t tried;                       /* courses of the search */
 };
 
 /* The best course of every shape on a grid. Sigmas stay 0. */
@@ -31,12 +31,12 @@ void um_missing_heat_improve(const struct um_missing_heat_bins *bins,
 /* ---- numbers that make a course (fit.c) ---- */
 
 #define UM_MISSING_HEAT_NUMBERS 3
-size_t um_missing_heat_numbers(enum um_missing_heat_shape shape);
-struct um_missing_heat_course um_missing_heat_course_of(enum um_missing_heat_shape shape,
-                                                        const double *x);
-void um_missing_heat_numbers_of(const struct um_missing_heat_course *course, double *x);
+size_t um_missing_heat_numbers(enum um_thermal_course_shape shape);
+struct um_thermal_course um_missing_heat_course_of(enum um_thermal_course_shape shape,
+                                                   const double *x);
+void um_missing_heat_numbers_of(const struct um_thermal_course *course, double *x);
 /* Whether the bins can hold such a course. */
 bool um_missing_heat_course_allowed(const struct um_missing_heat_bins *bins,
-                                    const struct um_missing_heat_course *course);
+                                    const struct um_thermal_course *course);
 
 #endif

@@ -7,7 +7,7 @@
 
 void um_missing_heat_text(const struct um_missing_heat *heat, char out[UM_MISSING_HEAT_TEXT])
 {
-  const struct um_missing_heat_course *c = &heat->course;
+  const struct um_thermal_course *c = &heat->course;
   size_t size = UM_MISSING_HEAT_TEXT;
   switch (c->shape) {
   case UM_HEAT_PULSE:

@@ -2,15 +2,15 @@
 #ifndef UMBRA_MISSING_HEAT_HEAT_H
 #define UMBRA_MISSING_HEAT_HEAT_H
 
-#include "evidence/missing_heat/shape.h"
+#include "thermal/network/course.h"
 
 /* Missing heat of one place: the wall of a group ("bus.+y"; "panel" where a part has one group) or
- * an interior. Its shape is that of the least BIC among those of shape.h. Heat before the first
- * observation, at the satellite, is not looked for. */
+ * an interior. Its shape is that of the least BIC among those of thermal/network/course.h. Heat
+ * before the first observation, at the satellite, is not looked for. */
 struct um_missing_heat {
-  char *place;                          /* "bus.+y", "bus.interior" */
-  struct um_missing_heat_course course; /* shape, start and what else it has */
-  size_t nparameter;                    /* of that, with place and power */
+  char *place;                     /* "bus.+y", "bus.interior" */
+  struct um_thermal_course course; /* shape, start and what else it has */
+  size_t nparameter;               /* of that, with place and power */
   double chi2_explained;
   double stop;         /* t_tai of the end of a pulse, else of the last observation [s] */
   double power;        /* [W] while it is on; of a decay where it starts; below 0: heat that goes */

@@ -20,14 +20,14 @@
 
 struct walker {
   double x[UM_MISSING_HEAT_NUMBERS];
-  struct um_missing_heat_course course;
+  struct um_thermal_course course;
   struct um_missing_heat_weighed weighed;
   double log; /* of the posterior */
 };
 
 struct ensemble {
   const struct um_missing_heat_bins *bins;
-  enum um_missing_heat_shape shape;
+  enum um_thermal_course_shape shape;
   size_t n; /* numbers */
   double scale;
   uint64_t drawn;
@@ -54,7 +54,7 @@ static bool weigh(const struct ensemble *e, struct walker *w)
 }
 
 /* Walkers about a course, within an interval or two of the search. False: it explains nothing. */
-static bool begin(struct ensemble *e, const struct um_missing_heat_course *course)
+static bool begin(struct ensemble *e, const struct um_thermal_course *course)
 {
   double interval =
       (e->bins->edge[e->bins->nbin] - e->bins->edge[0]) / (double)UM_MISSING_HEAT_BINS_MAX;
@@ -154,7 +154,7 @@ static void improve(struct ensemble *e, struct um_missing_heat_fit *fit)
     take(e, &reference, &m);
   }
   for (int k = 0; k < UM_MISSING_HEAT_CLIMB; k++) step(e, true);
-  const struct um_missing_heat_course *b = &e->best.course, *r = &reference.course;
+  const struct um_thermal_course *b = &e->best.course, *r = &reference.course;
   fit->course = *b;
   fit->chi2 = e->best.weighed.chi2;
   fit->power = e->best.weighed.power;
@@ -173,9 +173,9 @@ static void choose(const struct um_missing_heat_bins *bins, struct um_missing_he
   double sum = 0.0, start2 = 0.0, energy2 = 0.0;
   c->shape = UM_HEAT_STEP;
   for (int s = 0; s < UM_HEAT_SHAPES; s++) {
-    double k = (double)um_missing_heat_shape_parameters((enum um_missing_heat_shape)s);
+    double k = (double)um_thermal_course_parameters((enum um_thermal_course_shape)s);
     c->of[s].bic = -c->of[s].chi2 / c->scale + k * log((double)bins->nobservation);
-    if (c->of[s].bic < c->of[c->shape].bic) c->shape = (enum um_missing_heat_shape)s;
+    if (c->of[s].bic < c->of[c->shape].bic) c->shape = (enum um_thermal_course_shape)s;
   }
   const struct um_missing_heat_fit *best = &c->of[c->shape];
   for (int s = 0; s < UM_HEAT_SHAPES; s++) {
@@ -203,8 +203,8 @@ void um_missing_heat_improve(const struct um_missing_heat_bins *bins,
   choice->scale = fmax(1.0, (bins->square - most) / dof);
   for (int s = 0; s < UM_HEAT_SHAPES; s++) {
     struct ensemble e = {.bins = bins,
-                         .shape = (enum um_missing_heat_shape)s,
-                         .n = um_missing_heat_numbers((enum um_missing_heat_shape)s),
+                         .shape = (enum um_thermal_course_shape)s,
+                         .n = um_missing_heat_numbers((enum um_thermal_course_shape)s),
                          .scale = choice->scale};
     choice->of[s].chi2 = 0.0;
     improve(&e, &choice->of[s]);

@@ -67,7 +67,7 @@ static void take_choice(const struct um_missing_heat_look *s,
   const struct um_missing_heat_fit *fit = &choice->of[choice->shape];
   double before = um_inference_dot(bins->nleft, s->residual, s->residual);
   heat->course = fit->course;
-  heat->nparameter = um_missing_heat_shape_parameters(choice->shape);
+  heat->nparameter = um_thermal_course_parameters(choice->shape);
   heat->chi2_explained = before - bins->square + fit->chi2;
   heat->stop = fit->course.shape == UM_HEAT_PULSE ? fit->course.start + fit->course.last
                                                   : bins->edge[bins->nbin];
@@ -160,7 +160,7 @@ static size_t edges_find(struct um_missing_heat_look *s,
   memset(s->wanted, 0, s->nobs * sizeof *s->wanted);
   for (size_t b = 0; b <= s->nbin; b++) s->wanted[s->edge[b]] = true;
   for (int i = 0; i < UM_HEAT_SHAPES; i++) {
-    const struct um_missing_heat_course *c = &choice->of[i].course;
+    const struct um_thermal_course *c = &choice->of[i].course;
     if (choice->of[i].bic - choice->of[choice->shape].bic > UM_MISSING_HEAT_RIVAL) continue;
     want(s, c->start);
     if (c->shape == UM_HEAT_PULSE || c->shape == UM_HEAT_PERIODIC) want(s, c->start + c->last);

@@ -6,15 +6,15 @@
 #include "evidence/missing_heat/fit_impl.h"
 #include "evidence/missing_heat/policy.h"
 
-size_t um_missing_heat_numbers(enum um_missing_heat_shape shape)
+size_t um_missing_heat_numbers(enum um_thermal_course_shape shape)
 {
-  return um_missing_heat_shape_parameters(shape) - 2; /* less place and power */
+  return um_thermal_course_parameters(shape) - 2; /* less place and power */
 }
 
-struct um_missing_heat_course um_missing_heat_course_of(enum um_missing_heat_shape shape,
-                                                        const double *x)
+struct um_thermal_course um_missing_heat_course_of(enum um_thermal_course_shape shape,
+                                                   const double *x)
 {
-  struct um_missing_heat_course c = {shape, x[0], INFINITY, NAN};
+  struct um_thermal_course c = {shape, x[0], INFINITY, NAN};
   if (shape == UM_HEAT_PULSE) c.last = x[1];
   if (shape == UM_HEAT_DECAY) c.last = exp(x[1]);
   if (shape == UM_HEAT_PERIODIC) {
@@ -24,7 +24,7 @@ struct um_missing_heat_course um_missing_heat_course_of(enum um_missing_heat_sha
   return c;
 }
 
-void um_missing_heat_numbers_of(const struct um_missing_heat_course *c, double *x)
+void um_missing_heat_numbers_of(const struct um_thermal_course *c, double *x)
 {
   x[0] = c->start;
   if (c->shape == UM_HEAT_PULSE) x[1] = c->last;
@@ -36,7 +36,7 @@ void um_missing_heat_numbers_of(const struct um_missing_heat_course *c, double *
 }
 
 bool um_missing_heat_course_allowed(const struct um_missing_heat_bins *bins,
-                                    const struct um_missing_heat_course *c)
+                                    const struct um_thermal_course *c)
 {
   double first = bins->edge[0], end = bins->edge[bins->nbin], span = end - first;
   double least = span / UM_MISSING_HEAT_BINS_MAX;

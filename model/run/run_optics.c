@@ -7,6 +7,7 @@
 #include "model/build/aging_group.h"
 #include "model/build/effects_group.h"
 #include "model/run/counts.h"
+#include "model/run/effect_view.h"
 #include "model/run/grey_body.h"
 #include "model/run/parts_impl.h"
 #include "model/run/run_optics_group.h"
@@ -204,6 +205,8 @@ struct reading {
   const struct um_instrument_sensor *sensor; /* NULL: no counts */
   double electrons, background;              /* of um_effect_observation */
   const double *sky;                         /* [nobs][nband] likewise; NULL: nobody asks */
+  const struct um_model_result *result;      /* its light by material is that before effects */
+  const char *const *material;               /* [nmaterial] */
 };
 
 static double sky_of(const struct um_model *model, const struct reading *reading)
@@ -220,6 +223,8 @@ static enum um_status transform(struct um_context *context, const struct um_mode
 {
   size_t middle = reading->k * tables->nsub + tables->nsub / 2;
   double elevation = tables->look[middle].elevation;
+  const struct um_effect_view view =
+      um_model_effect_view(tables, reading->result, reading->material, reading->k, reading->b);
   struct um_effect_observation o = {.t_tai = tables->t_obs[reading->k],
                                     .elevation = elevation,
                                     .airmass = um_environment_airmass_toward(elevation),
@@ -229,7 +234,8 @@ static enum um_status transform(struct um_context *context, const struct um_mode
                                     .sky = sky_of(model, reading),
                                     .sensor = reading->sensor,
                                     .electrons = reading->electrons,
-                                    .background = reading->background};
+                                    .background = reading->background,
+                                    .view = &view};
   return um_model_observe(context, model, tables->set != NULL ? tables->set[reading->k] : NULL, &o,
                           value);
 }
@@ -284,7 +290,7 @@ static enum um_status transform_error(struct um_context *context, const struct u
  * go the same way; that of the light has the light's own colour. */
 static enum um_status observe(struct um_context *context, const struct um_model *model,
                               const struct um_model_tables *tables, struct um_model_result *r,
-                              const double *flat, const double *sky)
+                              const double *flat, const double *sky, const char *const *material)
 {
   for (size_t b = 0; b < r->nband; b++) {
     double zero = irradiance_of_zero(r, b, flat);
@@ -293,7 +299,7 @@ static enum um_status observe(struct um_context *context, const struct um_model 
       double *magnitude = &r->magnitude_ab[at], *error = &r->irradiance_error[at];
       double before = zero * pow(10.0, -0.4 * *magnitude), after = before;
       double bare = r->irradiance[at], exo_error = *error * (bare > 0.0 ? before / bare : 1.0);
-      struct reading here = {k, b, zero, false, NULL, NAN, NAN, sky}, above = here;
+      struct reading here = {k, b, zero, false, NULL, NAN, NAN, sky, r, material}, above = here;
       above.exo_atmospheric = true;
       UM_TRY(transform(context, model, tables, &here, &r->irradiance[at]));
       UM_TRY(transform_error(context, model, tables, &here, bare, r->irradiance[at], error));
@@ -312,7 +318,7 @@ static enum um_status observe(struct um_context *context, const struct um_model 
 static enum um_status observe_counts(struct um_context *context, const struct um_model *model,
                                      const struct um_model_tables *tables, const double *bare_error,
                                      const double *flat, const double *sky,
-                                     struct um_model_result *r)
+                                     const char *const *material, struct um_model_result *r)
 {
   for (size_t s = 0; s < r->nsensor; s++) {
     const struct um_model_sensor *sensor = &model->sensor[s];
@@ -327,7 +333,9 @@ static enum um_status observe_counts(struct um_context *context, const struct um
                               &sensor->optics,
                               unit * sensor->optics.gain * sensor->exposure,
                               NAN,
-                              sky};
+                              sky,
+                              r,
+                              material};
     for (size_t k = 0; k < r->nobs; k++) {
       double *rate = &r->count_rate[k * r->nsensor + s], before = *rate / unit, after = before;
       double error = bare_error[k * r->nband + sensor->band] * before;
@@ -350,16 +358,18 @@ static enum um_status observe_all(struct um_context *context, const struct um_mo
 {
   enum um_status status;
   double *bare_error = NULL, *sky = NULL;
+  const char **material = NULL;
   size_t n = r->nobs * r->nband;
+  UM_CHECK(um_model_material_names(context, model, &material));
   UM_CHECK(um_core_allocate(context, n, sizeof *bare_error, &bare_error));
   UM_CHECK(um_model_sky_bands(context, model, tables, r, &sky));
   for (size_t i = 0; i < n; i++)
     bare_error[i] = r->irradiance[i] > 0.0 ? r->irradiance_error[i] / r->irradiance[i] : 0.0;
   for (size_t i = 0; i < r->nbin; i++) scratch[i] = 1.0;
-  UM_CHECK(observe(context, model, tables, r, scratch, sky));
-  UM_CHECK(observe_counts(context, model, tables, bare_error, scratch, sky, r));
+  UM_CHECK(observe(context, model, tables, r, scratch, sky, material));
+  UM_CHECK(observe_counts(context, model, tables, bare_error, scratch, sky, material, r));
 done:
-  UM_FREE(context, bare_error, sky);
+  UM_FREE(context, bare_error, sky, (void *)material);
   return status;
 }
 

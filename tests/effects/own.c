@@ -213,7 +213,7 @@ static void changed_objects_are_refused(void **state)
 static const struct {
   const char *file, *says;
 } bad[] = {
-    {OBJECTS "/bad_1.so", "ABI version 7"},
+    {OBJECTS "/bad_1.so", "ABI version 8"},
     {OBJECTS "/bad_2.so", "compile it again"},
     {OBJECTS "/bad_3.so", "no effect in it; accepted: a symbol um_effect"},
     {OBJECTS "/bad_4.so", "effect 'zero_point': there is a built-in effect of that name"},

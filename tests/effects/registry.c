@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "effects/effects.h"
+#include "effects/half.h"
 #include "environment/environment.h"
 #include "tests/support/cmocka_all.h"
 
@@ -20,6 +21,47 @@ static void descriptors_are_complete(void **state)
     for (size_t k = 0; k < i; k++) assert_string_not_equal(e->name, um_effects_at(k)->name);
   }
   assert_null(um_effects_find("no_such_effect"));
+}
+
+/* One of each hook, and those of which hooks do not say it. */
+static void halves_are_said(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *effect;
+    enum um_effects_half half;
+  } known[] = {{"internal_power", UM_HALF_HEAT},
+               {"mli_emittance", UM_HALF_HEAT},
+               {"contact_conductance", UM_HALF_HEAT},
+               {"free_molecular_heating", UM_HALF_HEAT},
+               {"solar_absorptance", UM_HALF_SURFACE},
+               {"roughness", UM_HALF_SURFACE},
+               {"inter_reflection", UM_HALF_SURFACE},
+               {"area", UM_HALF_GEOMETRY},
+               {"attitude_offset", UM_HALF_GEOMETRY},
+               {"nutation", UM_HALF_GEOMETRY},
+               {"along_track", UM_HALF_GEOMETRY},
+               {"panel_flatness", UM_HALF_GEOMETRY},
+               {"albedo", UM_HALF_EARTH},
+               {"shadow_radius", UM_HALF_EARTH},
+               {"moonlight", UM_HALF_EARTH},
+               {"solar_irradiance", UM_HALF_EARTH},
+               {"aerosol", UM_HALF_AIR},
+               {"extinction", UM_HALF_AIR},
+               {"twilight", UM_HALF_AIR},
+               {"atmosphere", UM_HALF_AIR},
+               {"zero_point", UM_HALF_INSTRUMENT},
+               {"time_tag", UM_HALF_INSTRUMENT},
+               {"exposure", UM_HALF_INSTRUMENT},
+               {"saturation", UM_HALF_INSTRUMENT}};
+  size_t count[UM_HALVES] = {0};
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+    const struct um_effect *e = um_effects_find(known[i].effect);
+    if (e != NULL && um_effects_half_of(e) != known[i].half)
+      fail_msg("%s is called %s", e->name, um_effects_half_name(um_effects_half_of(e)));
+  }
+  for (size_t i = 0; i < um_effects_count(); i++) count[um_effects_half_of(um_effects_at(i))]++;
+  for (size_t h = 0; h < UM_HALVES; h++) assert_true(count[h] > 0);
 }
 
 static bool ends_with(const char *name, const char *end)
@@ -241,6 +283,7 @@ static void switches_turn_on(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(halves_are_said),
       cmocka_unit_test(descriptors_are_complete),
       cmocka_unit_test(the_same_kind_has_the_same_name),
       cmocka_unit_test(former_names),

@@ -221,7 +221,7 @@ void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT])
     lab_append(out, LAB_TEXT, name);
   }
   if (c->pulse != NULL)
-    snprintf(out, LAB_TEXT, "%s:%s", um_missing_heat_shape_name(c->pulse->shape), c->pulse->place);
+    snprintf(out, LAB_TEXT, "%s:%s", um_thermal_course_name(c->pulse->shape), c->pulse->place);
   if (out[0] == '\0' && strcmp(c->part, "switches") == 0)
     snprintf(out, LAB_TEXT, "%s", c->world->without);
   if (out[0] == '\0') snprintf(out, LAB_TEXT, "-");

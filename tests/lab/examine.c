@@ -100,7 +100,7 @@ static void describe_pulse(const struct um_diagnosis *d, const struct lab_case *
   row->found[0] = row->fitted[0] = row->sigma[0] = '\0';
   if (u == NULL || !u->found || u->nheat == 0) return;
   const struct um_missing_heat *h = &u->heat[0];
-  snprintf(row->found, sizeof row->found, "%s:%s", um_missing_heat_shape_name(h->course.shape),
+  snprintf(row->found, sizeof row->found, "%s:%s", um_thermal_course_name(h->course.shape),
            h->place);
   append_number(row->fitted, sizeof row->fitted, h->energy);
   append_number(row->fitted, sizeof row->fitted, h->course.start - start);

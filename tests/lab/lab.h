@@ -13,9 +13,9 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "evidence/missing_heat/shape.h"
 #include "evidence/sensitivity/candidates.h"
 #include "model/build/model.h"
+#include "thermal/network/course.h"
 
 #define LAB_TEXT     256
 #define LAB_KEYS     8
@@ -64,7 +64,7 @@ struct lab_case {
 struct lab_pulse {
   const char *place; /* that it heats */
   const char *key;   /* of the scenario, that takes a table of power */
-  enum um_missing_heat_shape shape;
+  enum um_thermal_course_shape shape;
   double power; /* [W] */
   double from_s, last_s,
       period_s; /* the first since the first observation; 0 where there is none */

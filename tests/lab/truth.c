@@ -91,8 +91,7 @@ enum um_status lab_truth_create(struct um_context *context, const struct lab_cas
   if (c->pulse != NULL && !plain) { /* the table needs the times of the scenario */
     char path[LAB_TEXT * 4], *absolute = NULL;
     snprintf(path, sizeof path, "%s/power-%s-%s-%llu.csv", folder,
-             um_missing_heat_shape_name(c->pulse->shape), c->pulse->place,
-             (unsigned long long)c->seed);
+             um_thermal_course_name(c->pulse->shape), c->pulse->place, (unsigned long long)c->seed);
     UM_CHECK(write_power(context, out->model->scenario->time->start, c->pulse, path));
     absolute = realpath(path, NULL);
     um_model_destroy(context, &out->model);

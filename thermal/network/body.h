@@ -4,6 +4,7 @@
 #define UMBRA_THERMAL_BODY_H
 
 #include "geometry/geometry.h"
+#include "thermal/network/course.h"
 #include "thermal/network/mli_law.h"
 #include "thermal/network/network.h"
 #include "thermal/network/solids.h"
@@ -84,6 +85,17 @@ struct um_thermal_heater {
   double phase;      /* where in its cycle a run begins, as there [1]; 0: not stated */
 };
 #define UM_THERMAL_HEATERS_MAX 16 /* of one part */
+/* Power by a course in time, spread over a place as a heater's is; below 0: heat that goes. What
+ * has no end, and what repeats, goes on for UM_THERMAL_TIMED_LASTS, and UM_THERMAL_TIMED_TURNS at
+ * most. */
+struct um_thermal_timed {
+  const char *place; /* as of a heater */
+  double power;      /* [W] of the course's 1 W */
+  struct um_thermal_course course;
+};
+#define UM_THERMAL_TIMED_MAX   8     /* of one part */
+#define UM_THERMAL_TIMED_LASTS 3.2e7 /* [s] a year */
+#define UM_THERMAL_TIMED_TURNS 10000 /* [1] */
 struct um_thermal_group_spec {
   uint32_t group;                       /* geometry group index */
   const struct um_thermal_shell *shell; /* NULL: the part's */
@@ -126,6 +138,8 @@ struct um_thermal_part_spec {
   size_t ninterior;
   struct um_thermal_heater heater[UM_THERMAL_HEATERS_MAX];
   size_t nheater;
+  struct um_thermal_timed timed[UM_THERMAL_TIMED_MAX];
+  size_t ntimed;
   double start_temperature;                   /* [K] */
   const struct um_thermal_group_spec *groups; /* one for every group of the part */
   size_t ngroup;

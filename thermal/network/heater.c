@@ -1,6 +1,7 @@
 /* Heat that a body makes itself: powers and power histories of its walls and interiors, thermostat
- * heaters. In a wall it is spread by area over its structure, which lies under MLI; a wall that MLI
- * leaves out cannot take any. */
+ * heaters, power by a course in time. In a wall it is spread by area over its structure, which lies
+ * under MLI; a wall that MLI leaves out cannot take any. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -118,20 +119,19 @@ done:
   return status;
 }
 
-static enum um_status heater_find(const struct um_thermal_builder *b, size_t part,
-                                  const struct um_thermal_heater *heater,
-                                  struct um_thermal_where *where)
+static enum um_status place_find(const struct um_thermal_builder *b, size_t part, const char *place,
+                                 struct um_thermal_where *where)
 {
   char suffix[512];
   const char *name = um_thermal_builder_part_name(b, part);
   where->part = (uint32_t)part;
-  snprintf(suffix, sizeof suffix, "%s%s", *heater->place == '\0' ? "" : ".", heater->place);
+  snprintf(suffix, sizeof suffix, "%s%s", *place == '\0' ? "" : ".", place);
   if (um_thermal_where_find(b, suffix, where)) return UM_OK;
   return um_core_fail(
       b->context, UM_ERR_INPUT,
       "part %s: a heater on '%.100s', which it has not; accepted: one of its groups, "
       "GROUP.back, front, back, an interior where it has one",
-      name, heater->place);
+      name, place);
 }
 
 static enum um_status heater_add(const struct um_thermal_builder *b, size_t part,
@@ -142,7 +142,7 @@ static enum um_status heater_add(const struct um_thermal_builder *b, size_t part
   struct um_thermal_where where;
   char label[512];
   if (heater->power == 0.0) return UM_OK;
-  UM_CHECK(heater_find(b, part, heater, &where));
+  UM_CHECK(place_find(b, part, heater->place, &where));
   UM_CHECK(share_of(b, &where, "heater", &share));
   const struct um_thermal_thermostat thermostat = {.node = share.node,
                                                    .weight = share.weight,
@@ -161,11 +161,44 @@ done:
   return status;
 }
 
+/* The last instant of the rows of a course: they are finite. */
+static double timed_end(const struct um_thermal_course *course)
+{
+  double lasts = UM_THERMAL_TIMED_LASTS;
+  if (course->shape == UM_HEAT_PERIODIC)
+    lasts = fmin(lasts, UM_THERMAL_TIMED_TURNS * course->period);
+  return course->start + lasts;
+}
+
+static enum um_status timed_add(const struct um_thermal_builder *b, size_t part,
+                                const struct um_thermal_timed *timed)
+{
+  enum um_status status;
+  struct share share = {0};
+  struct um_thermal_where where;
+  double *t = NULL, *power = NULL, end = timed_end(&timed->course);
+  if (timed->power == 0.0) return UM_OK;
+  size_t n = um_thermal_course_rows(&timed->course, end, NULL, NULL);
+  UM_CHECK(place_find(b, part, timed->place, &where));
+  UM_CHECK(share_of(b, &where, "heat", &share));
+  UM_CHECK(um_core_allocate(b->context, n, sizeof *t, &t));
+  UM_CHECK(um_core_allocate(b->context, n, sizeof *power, &power));
+  um_thermal_course_rows(&timed->course, end, t, power);
+  for (size_t i = 0; i < n; i++) power[i] *= timed->power;
+  const struct um_thermal_power_history history = {t, power, n};
+  status = history_add(b, &share, &history);
+done:
+  UM_FREE(b->context, t, power);
+  share_free(b->context, &share);
+  return status;
+}
+
 enum um_status um_thermal_heat_assemble(struct um_thermal_builder *b, size_t part)
 {
   const struct um_thermal_part_spec *spec = b->part[part];
   for (size_t g = 0; g < spec->ngroup; g++) UM_TRY(group_heat(b, part, &spec->groups[g]));
   for (size_t h = 0; h < spec->nheater; h++) UM_TRY(heater_add(b, part, &spec->heater[h]));
+  for (size_t i = 0; i < spec->ntimed; i++) UM_TRY(timed_add(b, part, &spec->timed[i]));
   for (size_t i = 0; i < spec->ninterior; i++) {
     uint32_t node[2];
     double weight[2];

@@ -150,7 +150,7 @@ void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *
 static void json_heat(FILE *file, const struct um_missing_heat *heat)
 {
   um_core_json_text(file, "", "part", heat->place);
-  um_core_json_text(file, ", ", "shape", um_missing_heat_shape_name(heat->course.shape));
+  um_core_json_text(file, ", ", "shape", um_thermal_course_name(heat->course.shape));
   um_diagnosis_report_json_time(file, ", ", "start_utc", heat->course.start);
   um_core_json_field(file, ", ", "start_sigma_s", heat->start_sigma);
   um_diagnosis_report_json_time(file, ", ", "stop_utc", heat->stop);
@@ -164,7 +164,7 @@ static void json_heat(FILE *file, const struct um_missing_heat *heat)
   um_core_json_field(file, ", ", "chi2_explained", heat->chi2_explained);
   for (int s = 0; s < UM_HEAT_SHAPES; s++)
     um_core_json_field(file, s == 0 ? ", \"bic_behind\": {" : ", ",
-                       um_missing_heat_shape_name((enum um_missing_heat_shape)s), heat->behind[s]);
+                       um_thermal_course_name((enum um_thermal_course_shape)s), heat->behind[s]);
   fputs("},\n      \"history\": [", file);
   for (size_t i = 0; i < heat->nbin; i++) {
     um_diagnosis_report_json_time(file, i > 0 ? ",\n        {" : "\n        {", "from_utc",
@@ -180,7 +180,8 @@ static void json_heat(FILE *file, const struct um_missing_heat *heat)
 }
 
 /* The best place stands in the object itself, the others behind it. */
-void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u)
+void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u,
+                                          const struct um_missing_light *light)
 {
   fputs(",\n  \"unexplained\": ", file);
   if (u == NULL) {
@@ -193,6 +194,7 @@ void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_he
   um_core_json_bool(file, ", ", "found", u->found);
   um_core_json_field(file, ", ", "chi2_before", u->chi2_before);
   um_core_json_field(file, ", ", "chi2_after", u->chi2_after);
+  um_diagnosis_report_json_light(file, "light", light);
   for (size_t i = 0; i < u->nheat; i++) {
     fputs(i == 0 ? ",\n      " : i == 1 ? ",\n    \"others\": [\n     {" : "},\n     {", file);
     json_heat(file, &u->heat[i]);

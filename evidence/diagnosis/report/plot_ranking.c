@@ -255,12 +255,12 @@ static enum um_status plot_course(struct um_context *context, const struct um_mi
                                   const struct um_plot_time *time, double unit,
                                   struct um_plot *plot)
 {
-  size_t n = um_missing_heat_course_rows(&h->course, h->t[h->nbin], NULL, NULL);
+  size_t n = um_thermal_course_rows(&h->course, h->t[h->nbin], NULL, NULL);
   double *t = NULL, *power = NULL;
   enum um_status status;
   UM_CHECK(um_core_allocate(context, n, sizeof *t, &t));
   UM_CHECK(um_core_allocate(context, n, sizeof *power, &power));
-  um_missing_heat_course_rows(&h->course, h->t[h->nbin], t, power);
+  um_thermal_course_rows(&h->course, h->t[h->nbin], t, power);
   um_plot_add(plot, "$course << EOD\n0,0\n");
   for (size_t i = 0; i < n; i++)
     um_plot_add(plot, "%.6f,%.6g\n",
@@ -284,8 +284,8 @@ enum um_status um_diagnosis_report_plot_heat(struct um_context *context,
   um_diagnosis_value_text(h->energy, h->energy_sigma, "±", energy);
   snprintf(below, sizeof below, "%s %.150s: %s of %s J",
            diagnosis->unexplained->found ? "missing heat of" : "explains only a part: heat of",
-           h->place, um_missing_heat_shape_name(h->course.shape), energy);
-  snprintf(best, sizeof best, "best %s", um_missing_heat_shape_name(h->course.shape));
+           h->place, um_thermal_course_name(h->course.shape), energy);
+  snprintf(best, sizeof best, "best %s", um_thermal_course_name(h->course.shape));
   um_plot_picture(plot, "heat", WIDTH, TOP + 24 + HEAT + 58);
   um_plot_title(plot, diagnosis->forward->model->scenario->name, below);
   um_plot_time_axis(plot, &time);

@@ -29,7 +29,12 @@ void um_diagnosis_report_json_sceptic(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_scatter(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_residual(FILE *file, const struct um_missing_heat_residual *r);
 void um_diagnosis_report_json_next(FILE *file, const struct um_diagnosis *d);
-void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u);
+void um_diagnosis_report_json_unexplained(FILE *file, const struct um_missing_heat_unexplained *u,
+                                          const struct um_missing_light *light);
+/* , "key": a correction of light, null where there is none. */
+void um_diagnosis_report_json_light(FILE *file, const char *key,
+                                    const struct um_missing_light *light);
+void um_diagnosis_report_json_halves(FILE *file, const struct um_diagnosis *d);
 /* What is known of fitted parameters together. */
 void um_diagnosis_report_json_posterior(FILE *file, const struct um_diagnosis *d);
 void um_diagnosis_report_json_cost(FILE *file, const struct um_diagnosis *d);

@@ -209,7 +209,8 @@ enum um_status um_diagnosis_report_write_json(struct um_context *context,
   um_diagnosis_report_json_superseded(file, d);
   um_diagnosis_report_json_residual(file, &d->residual);
   um_diagnosis_report_json_next(file, d);
-  um_diagnosis_report_json_unexplained(file, d->unexplained);
+  um_diagnosis_report_json_unexplained(file, d->unexplained, &d->light);
+  um_diagnosis_report_json_halves(file, d);
   json_ranking(file, d);
   um_diagnosis_report_json_cost(file, d);
   fputs("\n}\n", file);

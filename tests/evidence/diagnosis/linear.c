@@ -204,12 +204,12 @@ static void variants_of_one_effect_are_no_pair(void **state)
 static void heat_costs_the_numbers_of_its_shape(void **state)
 {
   (void)state;
-  struct um_missing_heat place = {.nparameter = um_missing_heat_shape_parameters(UM_HEAT_PULSE)};
+  struct um_missing_heat place = {.nparameter = um_thermal_course_parameters(UM_HEAT_PULSE)};
   struct um_missing_heat_unexplained heat = {
       .chi2_before = 200.0, .chi2_after = 70.0, .nheat = 1, .heat = &place};
   const struct um_inference_fit fit = {.nobservation = 90, .nparameter = 2, .chi2_prior = 1.5};
   assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 98.498858) <= 1e-6);
-  place.nparameter = um_missing_heat_shape_parameters(UM_HEAT_PERIODIC);
+  place.nparameter = um_thermal_course_parameters(UM_HEAT_PERIODIC);
   assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 98.498858 - 4.499810) <= 1e-6);
   heat.nheat = 0;
   assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 71.5 - 2.0 * 4.499810) <= 1e-5);

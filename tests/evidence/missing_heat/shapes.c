@@ -35,7 +35,7 @@ static double decaying(double from, double last, double t, double tau)
   return u > 0.0 ? (exp(-u / last) - exp(-u / tau)) / (1.0 / tau - 1.0 / last) : 0.0;
 }
 
-static double answer(const struct um_missing_heat_course *c, double t, double tau)
+static double answer(const struct um_thermal_course *c, double t, double tau)
 {
   double sum = 0.0;
   switch (c->shape) {
@@ -58,7 +58,7 @@ static double answer(const struct um_missing_heat_course *c, double t, double ta
 #define GAIN 0.02 /* [sigma/(W s)]: a wall of 170 J/K measured to 0.3 K */
 
 /* Rows per watt, in sigma. */
-static void respond(const struct um_missing_heat_course *c, double *out)
+static void respond(const struct um_thermal_course *c, double *out)
 {
   for (size_t k = 0; k < TIMES; k++) {
     double t = (double)k * STEP;
@@ -74,7 +74,7 @@ struct world {
 };
 
 /* A course of a power, noise, and a level of either sensor that is free. */
-static void world_make(struct world *w, const struct um_missing_heat_course *c, double power,
+static void world_make(struct world *w, const struct um_thermal_course *c, double power,
                        double noise, uint64_t seed)
 {
   static double column[(TIMES - 1) * ROWS];
@@ -89,7 +89,7 @@ static void world_make(struct world *w, const struct um_missing_heat_course *c, 
   }
   for (size_t k = 0; k < TIMES; k++) w->edge[k] = (double)k * STEP;
   for (size_t b = 0; b + 1 < TIMES; b++) {
-    const struct um_missing_heat_course bin = {UM_HEAT_PULSE, w->edge[b], STEP, NAN};
+    const struct um_thermal_course bin = {UM_HEAT_PULSE, w->edge[b], STEP, NAN};
     respond(&bin, column + b * ROWS);
   }
   OK(um_inference_projection_create(context, ROWS, &nuisance, &w->projection));
@@ -106,11 +106,11 @@ static void world_release(struct world *w)
 
 /* Heat of a shape that the seed draws: it begins in the first half, and lasts a part of the rest.
  */
-static struct um_missing_heat_course course_drawn(enum um_missing_heat_shape shape, uint64_t seed)
+static struct um_thermal_course course_drawn(enum um_thermal_course_shape shape, uint64_t seed)
 {
   double u[3];
   for (uint64_t k = 0; k < 3; k++) u[k] = um_core_hash_uniform(um_core_hash(seed, 1000 + k));
-  struct um_missing_heat_course c = {shape, 150.0 + 350.0 * u[0], INFINITY, NAN};
+  struct um_thermal_course c = {shape, 150.0 + 350.0 * u[0], INFINITY, NAN};
   if (shape == UM_HEAT_PULSE) c.last = 60.0 + 300.0 * u[1];
   if (shape == UM_HEAT_DECAY) c.last = 80.0 + 300.0 * u[1];
   if (shape == UM_HEAT_PERIODIC) {
@@ -127,10 +127,10 @@ struct tally {
 
 static void count(struct tally *tally, const struct world *w,
                   const struct um_missing_heat_choice *choice,
-                  const struct um_missing_heat_course *truth, double power)
+                  const struct um_thermal_course *truth, double power)
 {
   const struct um_missing_heat_fit *fit = &choice->of[choice->shape];
-  double energy = power * um_missing_heat_course_energy(truth, w->edge[TIMES - 1]);
+  double energy = power * um_thermal_course_energy(truth, w->edge[TIMES - 1]);
   double late = (fit->course.start - truth->start) / choice->start_sigma;
   double more = (fit->energy - energy) / choice->energy_sigma;
   tally->n++;
@@ -142,14 +142,14 @@ static void count(struct tally *tally, const struct world *w,
 }
 
 static void count_band(struct tally *tally, const struct world *w, double scale,
-                       const struct um_missing_heat_course *truth, double power)
+                       const struct um_thermal_course *truth, double power)
 {
   double heat[TIMES], sigma[TIMES], low[TIMES], high[TIMES];
   const struct um_missing_heat_band band = {heat, sigma, low, high};
   OK(um_missing_heat_history(context, &w->bins, scale, &band));
   for (size_t b = 0; b + 1 < TIMES; b++) {
-    double energy = um_missing_heat_course_energy(truth, w->edge[b + 1]) -
-                    um_missing_heat_course_energy(truth, w->edge[b]);
+    double energy = um_thermal_course_energy(truth, w->edge[b + 1]) -
+                    um_thermal_course_energy(truth, w->edge[b]);
     tally->bins++;
     tally->held += low[b] <= power * energy / STEP && power * energy / STEP <= high[b];
   }
@@ -180,7 +180,7 @@ static void values_hold(void **state)
   for (int s = 0; s < UM_HEAT_SHAPES; s++) {
     struct tally tally = {0};
     for (uint64_t seed = 1; seed <= seeds; seed++) {
-      const struct um_missing_heat_course truth = course_drawn((enum um_missing_heat_shape)s, seed);
+      const struct um_thermal_course truth = course_drawn((enum um_thermal_course_shape)s, seed);
       double power = seed % 2 == 0 ? 30.0 : 8.0;
       struct um_missing_heat_choice choice;
       struct world w;
@@ -190,7 +190,7 @@ static void values_hold(void **state)
       count_band(&tally, &w, choice.scale, &truth, power);
       world_release(&w);
     }
-    say(um_missing_heat_shape_name((enum um_missing_heat_shape)s), &tally);
+    say(um_thermal_course_name((enum um_thermal_course_shape)s), &tally);
     assert_true((double)tally.held > 0.92 * (double)tally.bins);
     all.n += tally.n;
     all.shape += tally.shape;
@@ -213,7 +213,7 @@ static void values_hold(void **state)
  * energy of a step that begins at once is that of the power. Twice the noise, twice the sigmas. */
 static void sigmas_are_those_of_a_mixture(void **state)
 {
-  const struct um_missing_heat_course truth = {UM_HEAT_DECAY, 300.0, 170.0, NAN};
+  const struct um_thermal_course truth = {UM_HEAT_DECAY, 300.0, 170.0, NAN};
   double of[2], start[2], energy[2];
   (void)state;
   for (int twice = 0; twice < 2; twice++) {
@@ -248,7 +248,7 @@ static void sigmas_are_those_of_a_mixture(void **state)
 /* Where there is no heat the history is none, and its band holds 0. */
 static void nothing_has_no_history(void **state)
 {
-  const struct um_missing_heat_course none = {UM_HEAT_STEP, 300.0, INFINITY, NAN};
+  const struct um_thermal_course none = {UM_HEAT_STEP, 300.0, INFINITY, NAN};
   double heat[TIMES], sigma[TIMES], low[TIMES], high[TIMES];
   const struct um_missing_heat_band band = {heat, sigma, low, high};
   size_t held = 0, zero = 0;
@@ -270,7 +270,7 @@ static void nothing_has_no_history(void **state)
 static void courses_have_their_energy(void **state)
 {
   static const struct {
-    struct um_missing_heat_course course;
+    struct um_thermal_course course;
     double energy; /* until 1000 s */
   } rows[] = {{{UM_HEAT_STEP, 400.0, INFINITY, NAN}, 600.0},
               {{UM_HEAT_PULSE, 400.0, 90.0, NAN}, 90.0},
@@ -281,17 +281,17 @@ static void courses_have_their_energy(void **state)
   (void)state;
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     double t[400], power[400], sum = 0.0;
-    size_t n = um_missing_heat_course_rows(&rows[i].course, 1000.0, NULL, NULL);
+    size_t n = um_thermal_course_rows(&rows[i].course, 1000.0, NULL, NULL);
     assert_true(n <= 400);
-    assert_int_equal(um_missing_heat_course_rows(&rows[i].course, 1000.0, t, power), n);
+    assert_int_equal(um_thermal_course_rows(&rows[i].course, 1000.0, t, power), n);
     for (size_t k = 1; k < n; k++) {
       double to = fmin(t[k], 1000.0), from = fmin(t[k - 1], 1000.0);
       if (to > from) sum += 0.5 * (power[k] + power[k - 1]) * (to - from);
     }
-    double energy = um_missing_heat_course_energy(&rows[i].course, 1000.0);
+    double energy = um_thermal_course_energy(&rows[i].course, 1000.0);
     assert_true(fabs(energy - rows[i].energy) < 1e-6 * energy);
     assert_true(fabs(sum - energy) < 1e-3 * energy);
-    assert_true(um_missing_heat_course_energy(&rows[i].course, 400.0) == 0.0);
+    assert_true(um_thermal_course_energy(&rows[i].course, 400.0) == 0.0);
   }
 }
 

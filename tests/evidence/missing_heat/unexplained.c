@@ -15,7 +15,7 @@
 
 struct hidden {
   const char *key, *place;
-  enum um_missing_heat_shape shape;
+  enum um_thermal_course_shape shape;
   double from, last, period, power; /* [s] after DAY0, [s], [s], [W] */
 };
 
@@ -208,14 +208,14 @@ static void test_columns(void **state)
  * noise and small changes may hide. */
 static void check_history(const struct um_missing_heat *h, const struct hidden *p, double start)
 {
-  const struct um_missing_heat_course truth = {p->shape, start, p->last, p->period};
+  const struct um_thermal_course truth = {p->shape, start, p->last, p->period};
   double sum = 0.0, energy = energy_of(p);
   size_t held = 0;
   for (size_t b = 0; b < h->nbin; b++) {
     double length = h->t[b + 1] - h->t[b];
     double mean = p->power *
-                  (um_missing_heat_course_energy(&truth, h->t[b + 1]) -
-                   um_missing_heat_course_energy(&truth, h->t[b])) /
+                  (um_thermal_course_energy(&truth, h->t[b + 1]) -
+                   um_thermal_course_energy(&truth, h->t[b])) /
                   length;
     sum += h->heat[b] * length;
     held += h->low[b] <= mean && mean <= h->high[b];
@@ -244,7 +244,7 @@ static void test_shapes(void **state)
     um_missing_heat_text(h, text);
     print_message("%s %s: %s, start %+.1f +- %.1f s, %.4g +- %.2g of %.4g J%s; chi-square %.4g of "
                   "%.4g, next %s with %.4g; %s with %s (%.2g)\n",
-                  p->place, um_missing_heat_shape_name(p->shape), h->place, h->course.start - start,
+                  p->place, um_thermal_course_name(p->shape), h->place, h->course.start - start,
                   h->start_sigma, h->energy, h->energy_sigma, energy, text, h->chi2_explained,
                   u->chi2_before, u->heat[1].place, u->heat[1].chi2_explained, u->channel,
                   u->coordinate, u->p);
@@ -255,7 +255,7 @@ static void test_shapes(void **state)
     assert_close(h->course.start, start, 3.0 * h->start_sigma);
     assert_close(h->energy, energy, 0.2 * energy);
     assert_close(h->energy, energy, 3.0 * h->energy_sigma);
-    assert_close(h->energy, h->power * um_missing_heat_course_energy(&h->course, h->stop),
+    assert_close(h->energy, h->power * um_thermal_course_energy(&h->course, h->stop),
                  1e-9 * energy);
     assert_close(u->chi2_after, u->chi2_before - h->chi2_explained, 1e-9);
     check_history(h, p, start);

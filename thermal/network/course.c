@@ -1,5 +1,5 @@
 /* Courses of heat in time. */
-#include "evidence/missing_heat/shape.h"
+#include "thermal/network/course.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -7,19 +7,19 @@
 #define ROWS_OF_A_DECAY 16 /* to a time constant: a chord leaves the curve by 1 / (8 * 16^2) */
 #define DECAYED         12 /* time constants; 6e-6 is left */
 
-const char *um_missing_heat_shape_name(enum um_missing_heat_shape shape)
+const char *um_thermal_course_name(enum um_thermal_course_shape shape)
 {
   static const char *const name[] = {"step", "pulse", "decay", "periodic"};
   return name[shape];
 }
 
-size_t um_missing_heat_shape_parameters(enum um_missing_heat_shape shape)
+size_t um_thermal_course_parameters(enum um_thermal_course_shape shape)
 {
   static const size_t count[] = {3, 4, 4, 5};
   return count[shape];
 }
 
-double um_missing_heat_course_energy(const struct um_missing_heat_course *course, double t)
+double um_thermal_course_energy(const struct um_thermal_course *course, double t)
 {
   double since = t - course->start, turns;
   if (!(since > 0.0)) return 0.0;
@@ -60,7 +60,7 @@ static void put_on(struct rows *rows, double from, double to)
   put(rows, to, 0.0);
 }
 
-static void put_decay(struct rows *rows, const struct um_missing_heat_course *course, double end)
+static void put_decay(struct rows *rows, const struct um_thermal_course *course, double end)
 {
   double step = course->last / ROWS_OF_A_DECAY;
   put(rows, course->start, 0.0);
@@ -71,8 +71,8 @@ static void put_decay(struct rows *rows, const struct um_missing_heat_course *co
   }
 }
 
-size_t um_missing_heat_course_rows(const struct um_missing_heat_course *course, double end,
-                                   double *t, double *power)
+size_t um_thermal_course_rows(const struct um_thermal_course *course, double end, double *t,
+                              double *power)
 {
   struct rows rows = {0, t, power};
   double from = course->start;
