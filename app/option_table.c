@@ -221,7 +221,7 @@ static const struct um_app_option table[] = {
      .offers = UM_APP_FILES, .example = "--draft-effect mine.c",
      .help = "Write what explains the measurements and no effect of the catalogue has, heat or a "
              "correction of light, as an effect of your own: a C file that says how to compile it. "
-             "A file that is there is kept unless --force is given."},
+             "Needs --force where that file is there."},
     {"days", "days", "N", .takes = UM_APP_TEXT, AT(days), .default_value = "1",
      .example = "--days 7", .help = "How long, up to 400; a part of a day is accepted."},
     {"from", "from", "UTC", .takes = UM_APP_TEXT, AT(time_utc),

@@ -53,8 +53,8 @@
  * thousand rows, more is no discrepancy. */
 #define UM_INFERENCE_RATIO_LEAST 0.02
 #define UM_INFERENCE_RATIO_MOST  500.0
-/* Scale on sigma [1], at least, beside a discrepancy: who states what the model may be off by states
- * more than the noise. HAND. White noise alone is never less than stated. */
+/* Scale on sigma [1], at least, beside a discrepancy: who states what the model may be off by
+ * states more than the noise. HAND. White noise alone is never less than stated. */
 #define UM_INFERENCE_SCALE_LEAST 0.1
 /* Distance of a row from what the others foretell [sigma] at which it is an outlier. Convention:
  * 7e-6 by chance. */

@@ -2,7 +2,7 @@
  * noise that the fit ended with, priors and ranges of the fit. Factors are drawn by their
  * logarithms, in which a product of which only that is known lies on a straight line. With x = exp
  * y the density of y is that of x times x. */
-#include "evidence/diagnosis/posterior.h"
+#include "evidence/diagnosis/fitted.h"
 
 #include <math.h>
 #include <string.h>

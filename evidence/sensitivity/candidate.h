@@ -59,4 +59,8 @@ struct um_sensitivity_candidate {
   char *why;        /* the refusal; NULL: no observation changes */
 };
 
+/* Whether a temperature that is measured of `measured` is that of `target`: "body.+y" is also
+ * measured as "+y". */
+bool um_sensitivity_is_of(const char *measured, const char *target);
+
 #endif

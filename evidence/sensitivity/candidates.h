@@ -50,8 +50,4 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
 void um_sensitivity_candidates_destroy(struct um_context *context,
                                        struct um_sensitivity_candidates **candidates);
 
-/* Whether a temperature that is measured of `measured` is that of `target`: "body.+y" is also
- * measured as "+y". */
-bool um_sensitivity_is_of(const char *measured, const char *target);
-
 #endif

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/core/order.h"
-#include "evidence/sensitivity/candidates.h"
 #include "evidence/sensitivity/policy.h"
 #include "model/run/run.h"
 

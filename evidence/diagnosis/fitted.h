@@ -1,7 +1,7 @@
 /* What is known of fitted parameters together: draws from their posterior, and pairs of which only
  * a combination is known. */
-#ifndef UMBRA_DIAGNOSIS_POSTERIOR_H
-#define UMBRA_DIAGNOSIS_POSTERIOR_H
+#ifndef UMBRA_DIAGNOSIS_FITTED_H
+#define UMBRA_DIAGNOSIS_FITTED_H
 
 #include <stdint.h>
 
