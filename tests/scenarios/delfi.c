@@ -1,10 +1,10 @@
 /* scenarios/delfi-pq before its telemetry: as its builders described it the panels are 11 K off.
- * One number, found in the first window, leaves 1.65 of 11.05 K in the second, which had no say.
+ * One number, found in the first window, leaves 1.51 of 11.05 K in the second, which had no say.
  * Figures are those of README.md, to half of their last digit and 1 mK. */
 #include "tests/scenarios/compared_test.h"
 
 #define FOLDER UMBRA_SOURCE_DIR "/scenarios/delfi-pq/"
-#define FOUND  "heat_capacity:body,factor=2.444"
+#define FOUND  "heat_capacity:body,factor=2.398"
 
 /* Residual of the mean of the long panels. */
 static struct um_compare_metrics compute(const char *scenario, const char *measurements,
@@ -26,9 +26,9 @@ static void one_number_carries_over(void **state)
     double rms;
   } cases[] = {
       {FOLDER "scenario.yaml", FOLDER "measured-2022-02-03.csv", NULL, 78, 11.89},
-      {FOLDER "scenario.yaml", FOLDER "measured-2022-02-03.csv", FOUND, 78, 2.40},
+      {FOLDER "scenario.yaml", FOLDER "measured-2022-02-03.csv", FOUND, 78, 2.266},
       {FOLDER "second.yaml", FOLDER "measured-2022-02-08.csv", NULL, 121, 11.05},
-      {FOLDER "second.yaml", FOLDER "measured-2022-02-08.csv", FOUND, 121, 1.65},
+      {FOLDER "second.yaml", FOLDER "measured-2022-02-08.csv", FOUND, 121, 1.505},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct um_compare_metrics m = compute(cases[i].scenario, cases[i].measured, cases[i].with);
