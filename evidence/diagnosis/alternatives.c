@@ -98,19 +98,21 @@ static const struct um_diagnosis_alternative *best_fitted(const struct um_diagno
   return best;
 }
 
-/* Whether an alternative with parameters unidentified under the null cannot win. Each of them costs
- * ln n in BIC; it cannot win where it would have to fit better than noise does. */
+/* Whether an alternative with k parameters unidentified under the null cannot come within `slack`
+ * of the BIC ahead. Each of them costs ln n. It fits no better than noise does, or where the one
+ * ahead does already, by one of chi-square for each of them. */
 static bool is_hopeless(const struct um_diagnosis_work *work,
                         const struct um_diagnosis_state *state, size_t nunidentified,
-                        const struct um_diagnosis_alternative *ahead)
+                        const struct um_diagnosis_alternative *ahead, double slack)
 {
-  double n = (double)work->forward->observations.count;
+  double n = (double)work->forward->observations.count, k = (double)nunidentified;
+  double parameters = (double)state->nparameter + k + 1.0;
   if (ahead == NULL) return false;
   /* what one leaves may be a discrepancy: then it is BIC that noise alone cannot come below */
   if (work->noise != NULL)
-    return ahead->bic < n + (double)(state->nparameter + nunidentified + 1) * (log(n) - 1.0);
-  return ahead->chi2 - (double)nunidentified * log(n) <
-         n - (double)(state->nparameter + nunidentified + 1);
+    return ahead->bic + slack <
+           fmin(n + parameters * (log(n) - 1.0), ahead->bic + k * (log(n) - 1.0));
+  return ahead->chi2 + slack - k * log(n) < fmin(n - parameters, ahead->chi2 - k);
 }
 
 /* Fit alternatives from..until. shaped: those that are rough (um_diagnosis_is_rough); else the
@@ -129,7 +131,7 @@ static enum um_status try_alternatives(struct um_context *context,
     struct um_diagnosis_alternative *alternative = &step->alternative[i];
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[alternative->candidate];
     if (alternative->fitted || um_diagnosis_is_rough(c) != shaped) continue;
-    if (shaped && (is_hopeless(work, state, c->nunidentified, ahead) ||
+    if (shaped && (is_hopeless(work, state, c->nunidentified, ahead, 0.0) ||
                    ++scans > UM_DIAGNOSIS_UNIDENTIFIED_MAX))
       break;
     at_once[n++] = alternative;
@@ -141,8 +143,23 @@ static enum um_status try_alternatives(struct um_context *context,
   return try_at_once(context, work, state, ahead, at_once, n, best);
 }
 
-/* Those left whose score comes within the evidence of the best one's, the best score first, up to
- * UM_DIAGNOSIS_TIES: the linear model alone does not say that they fit as well. */
+/* Whether an alternative may fit as well as the one ahead. The score of one whose shape is not
+ * known is that of the shape it begins with, and no more than the least it explains. */
+static bool may_tie(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
+                    const struct um_diagnosis_alternative *r,
+                    const struct um_diagnosis_alternative *ahead)
+{
+  const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
+  double best = ahead->score.statistic;
+  if (r->fitted || r->refused || r->score.absorbed || r->score.p >= UM_INFERENCE_WRONG_SIDE)
+    return false;
+  if (c->nunidentified == 0) return r->score.statistic > best - UM_DIAGNOSIS_EVIDENCE;
+  return r->score.statistic > fmin(UM_DIAGNOSIS_SHAPE_REACH * best, best - UM_DIAGNOSIS_EVIDENCE) &&
+         !is_hopeless(work, state, c->nunidentified, ahead, UM_DIAGNOSIS_EVIDENCE);
+}
+
+/* Those left that may fit as well, the best score first, up to UM_DIAGNOSIS_TIES: the linear model
+ * alone does not say that they do. */
 static enum um_status try_ties(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state,
                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
@@ -152,11 +169,7 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
   size_t n = 0;
   for (size_t i = 0; ahead != NULL && i < step->nalternative && n < UM_DIAGNOSIS_TIES; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
-    const struct um_sensitivity_candidate *c = &work->candidates->candidate[r->candidate];
-    if (r->fitted || r->refused || r->score.absorbed || r->score.p >= UM_INFERENCE_WRONG_SIDE ||
-        !(r->score.statistic > ahead->score.statistic - UM_DIAGNOSIS_EVIDENCE) ||
-        (um_diagnosis_is_rough(c) && is_hopeless(work, state, c->nunidentified, ahead)))
-      continue;
+    if (!may_tie(work, state, r, ahead)) continue;
     tied[n++] = r;
   }
   return try_at_once(context, work, state, ahead, tied, n, best);

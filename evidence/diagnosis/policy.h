@@ -99,6 +99,9 @@
 /* Rounds of a step, while the best leaves a reduced chi-square above this [1]. LAB. */
 #define UM_DIAGNOSIS_ROUNDS      2
 #define UM_DIAGNOSIS_GOOD_ENOUGH 1.3
+/* Share of the best score [1] from which on one whose shape is not known may fit as well. HAND:
+ * heat of air of depth 0.12 has 0.99 of it by the shape of depth 0.3 that it begins with (w36). */
+#define UM_DIAGNOSIS_SHAPE_REACH 0.9
 /* Share of the best score [1] from which on a candidate is fitted, in the first round and in later
  * ones: by so much the linear model may underrate a non-linear one. LAB. */
 #define UM_DIAGNOSIS_REACH       0.25
