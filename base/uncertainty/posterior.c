@@ -18,12 +18,13 @@
 #include "base/uncertainty/statistics.h"
 
 #define ROUNDS 4
-#define NU                                                                                         \
-  6 /* heavier tails than any posterior that is nearly normal; even: chi2 by logarithms            \
-     */
-#define WIDER                                                                                      \
-  1.5 /* of the scale matrix: tails of few draws are not missed, for an eighth of their worth */
-#define TRIES 1000 /* a draw within the bounds, at most */
+/* Degrees of freedom: heavier tails than a posterior that is nearly normal; even, so that chi2
+ * comes by logarithms. */
+#define NU 6
+/* Of the scale matrix: tails of few draws are not missed, for an eighth of their worth. */
+#define WIDER 1.5
+/* For a draw within the bounds, at most. */
+#define TRIES 1000
 
 /* One round's proposal: its scale matrix is the inverse of L L'. */
 struct round {

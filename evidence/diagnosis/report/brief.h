@@ -7,9 +7,8 @@
 #include "evidence/diagnosis/diagnosis.h"
 
 #define UM_DIAGNOSIS_BRIEF_LINES 12 /* at most */
-#define UM_DIAGNOSIS_BRIEF_WIDTH                                                                   \
-  96 /* [characters] of a line, but of one with a command or path                                  \
-      */
+/* [characters] of a line, but of one with a command or path */
+#define UM_DIAGNOSIS_BRIEF_WIDTH 96
 
 /* The verdict in the words of the effects, how the error fell, what is left that is no noise, what
  * convinces a sceptic of the strongest effect, what to measure next, the command to type next,
