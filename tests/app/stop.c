@@ -171,7 +171,7 @@ static const struct stage stages[] = {
      0.0},
     {"loads of many instants",
      HEAD MINUTE BOX "    facet_size_m: 0.1\n" PLATE
-                     "thermal: {start: isothermal, orbits_before: 2, samples: 4096}\n",
+                     "thermal: {start: isothermal, orbits_before: 20, samples: 4096}\n",
      "loads",
      {RUN},
      SIGINT,
