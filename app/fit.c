@@ -28,7 +28,7 @@ int um_app_fit(struct um_context *context, const struct um_app_options *options)
   double seed = 1.0;
   int misuse = options->posterior
                    ? UM_APP_DONE
-                   : um_app_options_refuse(options, "draws draw-seed", "goes with --posterior");
+                   : um_app_options_refuse(options, "draws draw-seed", "needs --posterior");
   if (misuse != UM_APP_DONE) return misuse;
   if (options->seed != NULL && (!um_core_number_parse(options->seed, &seed) ||
                                 !(seed >= 0.0 && seed <= SEED_MAX) || seed != floor(seed)))

@@ -13,6 +13,9 @@
 #include <math.h>
 #include <string.h>
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
 #include "base/core/constants.h"
 #include "base/core/sampling.h"
 #include "base/uncertainty/statistics.h"
@@ -42,37 +45,20 @@ struct work {
   uint64_t drawn;
 };
 
-/* ---- linear algebra of a few numbers ---- */
-
-/* a [d][d] <- L, its lower factor; false: not positive. */
+/* a [d][d] <- L below its diagonal and on it; false: not positive. */
 static bool factor(size_t d, double *a)
 {
-  for (size_t i = 0; i < d; i++)
-    for (size_t j = 0; j <= i; j++) {
-      double sum = a[i * d + j];
-      for (size_t k = 0; k < j; k++) sum -= a[i * d + k] * a[j * d + k];
-      if (i == j && !(sum > 0.0)) return false;
-      a[i * d + j] = i == j ? sqrt(sum) : sum / a[j * d + j];
-    }
-  return true;
+  gsl_matrix_view m = gsl_matrix_view_array(a, d, d);
+  gsl_set_error_handler_off();
+  return gsl_linalg_cholesky_decomp1(&m.matrix) == GSL_SUCCESS;
 }
 
-/* a <- the inverse of L L'; room [d][d]. */
-static void invert(size_t d, const double *lower, double *room, double *a)
+/* a [d][d] <- the inverse of L L'. */
+static void invert(size_t d, const double *lower, double *a)
 {
-  memset(room, 0, d * d * sizeof *room); /* L^-1 */
-  for (size_t j = 0; j < d; j++)
-    for (size_t i = j; i < d; i++) {
-      double sum = i == j ? 1.0 : 0.0;
-      for (size_t k = j; k < i; k++) sum -= lower[i * d + k] * room[k * d + j];
-      room[i * d + j] = sum / lower[i * d + i];
-    }
-  for (size_t i = 0; i < d; i++)
-    for (size_t j = 0; j < d; j++) {
-      double sum = 0.0;
-      for (size_t k = i > j ? i : j; k < d; k++) sum += room[k * d + i] * room[k * d + j];
-      a[i * d + j] = sum;
-    }
+  gsl_matrix_view m = gsl_matrix_view_array(a, d, d);
+  memcpy(a, lower, d * d * sizeof *a);
+  gsl_linalg_cholesky_invert(&m.matrix);
 }
 
 /* ---- proposals ---- */
@@ -194,15 +180,15 @@ static enum um_status adapt(struct um_context *context, struct work *w)
 {
   size_t d = w->problem->nparameter;
   const struct round *last = &w->round[w->nround - 1];
-  double *mean = w->room, *s = mean + d, *before = s + d * d, *room = before + d * d;
+  double *mean = w->room, *s = mean + d, *before = s + d * d;
   double share = w->out->effective / (w->out->effective + (double)d + 1.0);
   um_uncertainty_covariance(w->out->n, d, w->out->x, w->out->weight, mean, s);
-  invert(d, last->lower, room, before);
+  invert(d, last->lower, before);
   for (size_t i = 0; i < d * d; i++) s[i] = share * s[i] + (1.0 - share) * before[i] / WIDER;
   for (size_t i = 0; i < d; i++) mean[i] = share * mean[i] + (1.0 - share) * last->mean[i];
   if (!factor(d, s))
     return um_core_fail(context, UM_ERR_NUMERIC, "draws from a posterior all lie in a plane");
-  invert(d, s, room, before);
+  invert(d, s, before);
   return propose(context, w, mean, before);
 }
 
@@ -215,7 +201,7 @@ static enum um_status reserve(struct um_context *context, struct work *w)
   UM_TRY(um_core_allocate(context, n, sizeof *out->weight, &out->weight));
   UM_TRY(um_core_allocate(context, n, sizeof *w->log_density, &w->log_density));
   UM_TRY(um_core_allocate(context, n, sizeof *w->log_weight, &w->log_weight));
-  return um_core_allocate(context, d + 3 * d * d, sizeof *w->room, &w->room);
+  return um_core_allocate(context, d + 2 * d * d, sizeof *w->room, &w->room);
 }
 
 enum um_status

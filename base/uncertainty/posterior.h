@@ -23,7 +23,7 @@ struct um_uncertainty_posterior_problem {
   const double *precision;    /* [nparameter][nparameter] of it there, inverse of the covariance */
   const double *least, *most; /* [nparameter] the density is 0 outside; may be infinite */
   /* Logarithm of the density, up to a constant, of n <= UM_UNCERTAINTY_AT_ONCE draws x
-   * [n][nparameter] within the bounds, in order; -INFINITY or NaN: 0. Its errors are passed on. */
+   * [n][nparameter] within the bounds, in order; -INFINITY or NaN: 0. Its errors are returned. */
   enum um_status (*density)(struct um_context *context, void *user, size_t n, const double *x,
                             double *log_density);
   void *user;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "evidence/diagnosis/diagnose.h"
-#include "evidence/diagnosis/discrepancy_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
@@ -27,32 +26,10 @@ static void put_as_wanted(const struct um_model_addition *wanted, struct um_diag
     }
 }
 
-/* Estimate the noise of the residual, and fit all anew from where they stand. *white: it is noise
- * of the stated sigma, and nothing was done. */
-static enum um_status fit_with_noise(struct um_context *context, struct um_diagnosis_work *work,
-                                     const struct um_inference_noise_family *family,
-                                     struct um_inference_noise *noise,
-                                     struct um_diagnosis_state *state, bool *white)
-{
-  struct um_inference_noise next = {0};
-  UM_TRY(um_inference_noise_estimate(context, family, state->fit->residual, NULL, &next));
-  *white = um_inference_noise_is_white(&next);
-  if (*white) {
-    um_inference_noise_release(context, &next);
-    return UM_OK;
-  }
-  um_inference_noise_release(context, noise);
-  *noise = next;
-  work->noise = noise;
-  return um_diagnosis_state_fit(context, work, state, state->fit->value, NULL, INFINITY);
-}
-
-/* Where what is left is not noise of the stated sigma: by what it is, until that does not change
- * the fit. */
+/* Where what is left is not noise of the stated sigma: all anew by what it is, until that does not
+ * change the fit. */
 static enum um_status weigh(struct um_context *context, struct um_diagnosis_work *work,
-                            struct um_diagnosis_discrepancy *discrepancy,
-                            struct um_inference_noise *noise, struct um_diagnosis_state *state,
-                            struct um_diagnosis *d)
+                            struct um_diagnosis_state *state, struct um_diagnosis *d)
 {
   enum um_status status;
   struct um_inference_whiteness whiteness;
@@ -60,10 +37,12 @@ static enum um_status weigh(struct um_context *context, struct um_diagnosis_work
   UM_TRY(um_diagnosis_state_whiteness(context, work, state, &whiteness));
   if (um_diagnosis_is_noise(&whiteness)) return UM_OK;
   um_core_progress_begin(context, "estimating the noise", UM_DIAGNOSIS_NOISE_ROUNDS);
-  UM_CHECK(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
+  UM_CHECK(um_diagnosis_discrepancy_create(context, work->forward, &work->discrepancy));
   for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !white; round++) {
     double before = work->noise == NULL ? INFINITY : state->fit->bic;
-    UM_CHECK(fit_with_noise(context, work, &discrepancy->family, noise, state, &white));
+    UM_CHECK(um_diagnosis_noise_take(context, work, state->fit->residual, &white));
+    if (!white)
+      UM_CHECK(um_diagnosis_state_fit(context, work, state, state->fit->value, NULL, INFINITY));
     UM_CHECK(um_core_progress_step(context, 1));
     if (!(state->fit->bic < before - UM_DIAGNOSIS_SETTLED)) break;
   }
@@ -84,15 +63,13 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   struct um_sensitivity_candidates *candidates = NULL;
   struct um_diagnosis_work work = {0};
   struct um_diagnosis_state state = {0};
-  struct um_diagnosis_discrepancy discrepancy = {0};
-  struct um_inference_noise noise = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
   UM_CHECK(um_sensitivity_candidates_create(context, forward, NULL, 0, &these, &candidates));
   UM_CHECK(um_diagnosis_begin(context, forward, candidates, options, &work, &d));
   UM_CHECK(um_diagnosis_baseline(context, &work, &state, d));
   UM_CHECK(um_diagnosis_add_wanted(context, &work, wanted, nwanted, &state));
-  UM_CHECK(weigh(context, &work, &discrepancy, &noise, &state, d));
+  UM_CHECK(weigh(context, &work, &state, d));
   UM_CHECK(um_diagnosis_keep_end(context, &work, &state, d));
   put_as_wanted(wanted, d);
   UM_CHECK(um_diagnosis_scatter_describe(context, &work, &state, d));
@@ -107,9 +84,7 @@ enum um_status um_diagnosis_fit_effects(struct um_context *context,
   *out = d;
   d = NULL;
 done:
-  UM_FREE(context, work.fate, work.fold);
-  um_inference_noise_release(context, &noise);
-  um_diagnosis_discrepancy_release(context, &discrepancy);
+  um_diagnosis_end(context, &work);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_destroy(context, &d);
   um_sensitivity_candidates_destroy(context, &candidates);

@@ -26,11 +26,11 @@ static void leave(const struct um_sensitivity_observations *o, const double *val
 
 enum um_status um_diagnosis_depth_find(struct um_context *context,
                                        const struct um_diagnosis_work *work,
-                                       const struct um_inference_noise_family *family,
                                        const struct um_diagnosis_state *state,
                                        const struct um_diagnosis *d, double *residual, bool *whole)
 {
   enum um_status status = UM_OK;
+  const struct um_inference_noise_family *family = &work->discrepancy.family;
   size_t n = family->nobservation, parameters = 0, effects = 0;
   double *left = NULL, least;
   for (size_t b = 0; b < state->nnuisance; b++) parameters += state->block[b].nfree;

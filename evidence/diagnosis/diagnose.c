@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "evidence/diagnosis/diagnosis_impl.h"
-#include "evidence/diagnosis/discrepancy_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
@@ -245,20 +244,14 @@ static bool ends_alike(const struct um_diagnosis *a, const struct um_diagnosis *
 
 /* The search anew, with the noise that a residual has. *same: it ends alike. */
 static enum um_status search_anew(struct um_context *context, struct um_diagnosis_work *work,
-                                  const struct um_inference_noise_family *family,
                                   const double *residual, struct um_diagnosis_state *state,
                                   struct um_diagnosis_state *bare, struct um_diagnosis **d,
                                   bool *same)
 {
   enum um_status status;
   struct um_diagnosis *next = NULL;
-  struct um_inference_noise noise = {0};
-  UM_CHECK(um_inference_noise_estimate(context, family, residual, NULL, &noise));
-  *same = um_inference_noise_is_white(&noise);
-  if (*same) goto done;
-  um_inference_noise_release(context, work->noise);
-  *work->noise = noise;
-  noise = (struct um_inference_noise){0};
+  UM_TRY(um_diagnosis_noise_take(context, work, residual, same));
+  if (*same) return UM_OK;
   um_diagnosis_state_release(context, state);
   um_diagnosis_state_release(context, bare);
   UM_CHECK(um_core_allocate(context, 1, sizeof *next, &next));
@@ -274,7 +267,6 @@ static enum um_status search_anew(struct um_context *context, struct um_diagnosi
   *d = next;
   next = NULL;
 done:
-  um_inference_noise_release(context, &noise);
   um_diagnosis_destroy(context, &next);
   return status;
 }
@@ -293,8 +285,6 @@ static bool stands(const struct um_diagnosis *d)
 /* Where what is left is not noise of the stated sigma, or a discrepancy explains as much as the
  * last of the effects that were added: searches by what it is. */
 static enum um_status search_with_noise(struct um_context *context, struct um_diagnosis_work *work,
-                                        struct um_inference_noise *noise,
-                                        struct um_diagnosis_discrepancy *discrepancy,
                                         struct um_diagnosis_state *state,
                                         struct um_diagnosis_state *bare, struct um_diagnosis **d)
 {
@@ -302,17 +292,14 @@ static enum um_status search_with_noise(struct um_context *context, struct um_di
   bool white = um_diagnosis_is_noise(&(*d)->final_whiteness), whole = true, same = false;
   double *residual = NULL;
   if (stands(*d)) return UM_OK;
-  UM_CHECK(um_diagnosis_discrepancy_create(context, work->forward, discrepancy));
+  UM_CHECK(um_diagnosis_discrepancy_create(context, work->forward, &work->discrepancy));
   UM_CHECK(
       um_core_allocate(context, work->forward->observations.count, sizeof *residual, &residual));
-  UM_CHECK(
-      um_diagnosis_depth_find(context, work, &discrepancy->family, state, *d, residual, &whole));
+  UM_CHECK(um_diagnosis_depth_find(context, work, state, *d, residual, &whole));
   if (white && whole) goto done;
   for (int round = 0; round < UM_DIAGNOSIS_NOISE_ROUNDS && !same; round++) {
     const double *left = round == 0 ? residual : state->fit->residual;
-    work->noise = noise;
-    UM_CHECK(search_anew(context, work, &discrepancy->family, left, state, bare, d, &same));
-    if (!(*d)->weighed) work->noise = NULL;
+    UM_CHECK(search_anew(context, work, left, state, bare, d, &same));
   }
 done:
   um_core_free(context, residual);
@@ -364,6 +351,14 @@ enum um_status um_diagnosis_begin(struct um_context *context,
   return UM_OK;
 }
 
+void um_diagnosis_end(struct um_context *context, struct um_diagnosis_work *work)
+{
+  UM_FREE(context, work->fate, work->fold);
+  um_inference_noise_release(context, &work->estimated);
+  um_diagnosis_discrepancy_release(context, &work->discrepancy);
+  *work = (struct um_diagnosis_work){0};
+}
+
 enum um_status um_diagnosis_create(struct um_context *context,
                                    struct um_sensitivity_forward *forward,
                                    struct um_sensitivity_candidates *candidates,
@@ -373,21 +368,17 @@ enum um_status um_diagnosis_create(struct um_context *context,
   enum um_status status;
   struct um_diagnosis_work work = {0};
   struct um_diagnosis_state state = {0}, bare = {0};
-  struct um_diagnosis_discrepancy discrepancy = {0};
-  struct um_inference_noise noise = {0};
   struct um_diagnosis *d = NULL;
   *out = NULL;
   UM_CHECK(um_diagnosis_begin(context, forward, candidates, options, &work, &d));
   d->candidates = candidates;
   UM_CHECK(search(context, &work, &state, &bare, d));
-  UM_CHECK(search_with_noise(context, &work, &noise, &discrepancy, &state, &bare, &d));
+  UM_CHECK(search_with_noise(context, &work, &state, &bare, &d));
   UM_CHECK(conclude(context, &work, &state, &bare, d));
   *out = d;
   d = NULL;
 done:
-  UM_FREE(context, work.fate, work.fold);
-  um_inference_noise_release(context, &noise);
-  um_diagnosis_discrepancy_release(context, &discrepancy);
+  um_diagnosis_end(context, &work);
   um_diagnosis_state_release(context, &state);
   um_diagnosis_state_release(context, &bare);
   um_diagnosis_destroy(context, &d);

@@ -101,9 +101,10 @@ struct um_diagnosis_missed {
 
 /* How observations of a channel scatter about the model, where that is more than their sigma. */
 struct um_diagnosis_scatter {
-  size_t channel;            /* of the measurements */
-  double scale;              /* on sigma, 1 or more */
-  const char *along;         /* what a discrepancy of the model goes with; NULL: there is none */
+  size_t channel; /* of the measurements */
+  double scale;   /* on sigma, 1 or more */
+  const char
+      *along; /* the coordinate that a discrepancy is correlated along; NULL: there is none */
   double sigmas, rms, share; /* of the discrepancy, rms: over sigma [1], linear unit of the channel,
                                 over the rms of the measurements [1] */
   double of_before;          /* over the residual of the scenario, both over sigma [1] */

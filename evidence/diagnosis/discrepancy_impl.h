@@ -3,7 +3,7 @@
 #define UMBRA_DIAGNOSIS_DISCREPANCY_IMPL_H
 
 #include "base/inference/noise.h"
-#include "evidence/diagnosis/state_impl.h"
+#include "evidence/sensitivity/forward.h"
 
 #define UM_DIAGNOSIS_KINDS_MAX 12
 

@@ -27,7 +27,7 @@ static double alone(const struct um_diagnosis *d, const struct um_diagnosis_stat
          score->score.dof * log((double)bare->fit->nobservation);
 }
 
-/* The half that a correction of light speaks for, by what it goes with. */
+/* The half whose error a correction of light would be, by its coordinate. */
 static enum um_effects_half half_of_light(const struct um_missing_light *l)
 {
   if (l->coordinate == UM_COORDINATE_AIRMASS || l->coordinate == UM_COORDINATE_ELEVATION ||

@@ -127,6 +127,20 @@ static double chi2_of_bic(const struct um_diagnosis_work *work,
   return bic - (double)state->nparameter * log((double)work->forward->observations.count);
 }
 
+enum um_status um_diagnosis_noise_take(struct um_context *context, struct um_diagnosis_work *work,
+                                       const double *residual, bool *white)
+{
+  struct um_inference_noise next = {0};
+  UM_TRY(um_inference_noise_estimate(context, &work->discrepancy.family, residual, NULL, &next));
+  *white = um_inference_noise_is_white(&next);
+  struct um_inference_noise *rest = *white ? &next : &work->estimated;
+  um_inference_noise_release(context, rest);
+  if (*white) return UM_OK;
+  work->estimated = next;
+  work->noise = &work->estimated;
+  return UM_OK;
+}
+
 enum um_status um_diagnosis_noise_bic(struct um_context *context,
                                       const struct um_inference_noise_family *family,
                                       const struct um_inference_noise *outliers,

@@ -5,6 +5,7 @@
 #include "base/inference/fit.h"
 #include "base/inference/noise.h"
 #include "base/inference/score.h"
+#include "evidence/diagnosis/discrepancy_impl.h"
 #include "evidence/diagnosis/options.h"
 #include "evidence/sensitivity/forward.h"
 
@@ -24,6 +25,9 @@ struct um_diagnosis_work {
   /* NULL: residuals are white noise of the stated sigma. Else what fits are weighted by; each state
    * is judged by the noise that its own residual has the largest likelihood with */
   struct um_inference_noise *noise;
+  /* what it points to, and along what it may be correlated: made where it is first estimated */
+  struct um_inference_noise estimated;
+  struct um_diagnosis_discrepancy discrepancy;
 };
 
 /* An effect whose parameters are fitted: a nuisance, an accepted effect or an alternative. */
@@ -43,6 +47,10 @@ struct um_diagnosis_block {
 void um_diagnosis_time_blocks(const struct um_sensitivity_observations *observations, size_t nblock,
                               size_t *block);
 
+/* Weigh the fits to come by the noise of a residual [nobservation]. *white: it is noise of the
+ * stated sigma, and nothing changes. work->discrepancy is made before. UM_ERR_MEMORY. */
+enum um_status um_diagnosis_noise_take(struct um_context *context, struct um_diagnosis_work *work,
+                                       const double *residual, bool *white);
 /* BIC of a fit with the noise that its own residual has the largest likelihood with. outliers:
  * whose rows are set aside; NULL: they are looked for. */
 enum um_status um_diagnosis_noise_bic(struct um_context *context,

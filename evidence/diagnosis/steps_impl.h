@@ -8,13 +8,14 @@
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/missing_heat/unexplained.h"
 
-/* What is asked, and an empty diagnosis of it, the caller's after a failure too; work->fate and
- * work->fold are the caller's. */
+/* What is asked, and an empty diagnosis of it, the caller's after a failure too, as what work holds
+ * is (um_diagnosis_end). */
 enum um_status um_diagnosis_begin(struct um_context *context,
                                   struct um_sensitivity_forward *forward,
                                   const struct um_sensitivity_candidates *candidates,
                                   const struct um_diagnosis_options *options,
                                   struct um_diagnosis_work *work, struct um_diagnosis **d);
+void um_diagnosis_end(struct um_context *context, struct um_diagnosis_work *work);
 /* The scenario as it is, with its nuisances fitted, into an empty state. */
 enum um_status um_diagnosis_baseline(struct um_context *context,
                                      const struct um_diagnosis_work *work,
@@ -158,11 +159,10 @@ enum um_status um_diagnosis_backward(struct um_context *context,
                                      struct um_diagnosis_state *state, struct um_diagnosis *d);
 
 /* What is left [nobservation] after as many effects of a search through white noise as it should
- * have added, were the rest a discrepancy of the family; *whole: all of them. depth.c has how.
+ * have added, were the rest work->discrepancy; *whole: all of them. depth.c has how.
  * UM_ERR_MEMORY. */
 enum um_status um_diagnosis_depth_find(struct um_context *context,
                                        const struct um_diagnosis_work *work,
-                                       const struct um_inference_noise_family *family,
                                        const struct um_diagnosis_state *state,
                                        const struct um_diagnosis *d, double *residual, bool *whole);
 

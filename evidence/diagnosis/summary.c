@@ -1,5 +1,5 @@
 /* The verdict in words. What is missing comes first, in the words of the effects. Where the verdict
- * abstains it accuses nobody: it says what is certain, groups as groups, and what the residual
+ * abstains it names no effect as the one: it says what is certain, groups, and what the residual
  * looks like. */
 #include <math.h>
 #include <stdint.h>
@@ -93,7 +93,7 @@ static void add_residual(struct um_diagnosis_words *text, const struct um_diagno
       "per observation)",
       r->channel, fabs(r->mean), r->mean < 0.0 ? "below" : "above", r->chi2_reduced);
   if (r->coordinate != NULL && r->p < UM_DIAGNOSIS_CORRELATES)
-    add(text, ", and that goes with %s", coordinate_words(r->coordinate, words));
+    add(text, ", and the residual correlates with %s", coordinate_words(r->coordinate, words));
   add(text, ".");
 }
 

@@ -6,6 +6,9 @@
 
 #include <math.h>
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
 #include "base/core/sort.h"
 #include "base/inference/algebra.h"
 #include "evidence/missing_light/policy.h"
@@ -36,34 +39,23 @@ static size_t fill_column(const struct um_missing_light_observations *o,
   return rests;
 }
 
-/* Cholesky of gram [n][n] in place, and the solution for right [n] with its inverse's diagonal;
+/* The solution of gram [n][n], which is lost, for right [n], and the diagonal of its inverse;
  * false: a column is a sum of others. */
 static bool solve(size_t n, double gram[UM_MISSING_LIGHT_NUMBERS][UM_MISSING_LIGHT_NUMBERS],
                   const double *right, double *x, double *variance)
 {
+  double whole[UM_MISSING_LIGHT_NUMBERS];
+  gsl_matrix_view m = gsl_matrix_view_array_with_tda(gram[0], n, n, UM_MISSING_LIGHT_NUMBERS);
+  gsl_vector_const_view b = gsl_vector_const_view_array(right, n);
+  gsl_vector_view to = gsl_vector_view_array(x, n);
+  for (size_t i = 0; i < n; i++) whole[i] = gram[i][i];
+  gsl_set_error_handler_off();
+  if (gsl_linalg_cholesky_decomp1(&m.matrix) != GSL_SUCCESS) return false;
   for (size_t i = 0; i < n; i++)
-    for (size_t k = 0; k <= i; k++) {
-      double sum = gram[i][k], whole = gram[i][i];
-      for (size_t l = 0; l < k; l++) sum -= gram[i][l] * gram[k][l];
-      if (i == k && !(sum > ABSORBED * whole)) return false;
-      gram[i][k] = i == k ? sqrt(sum) : sum / gram[k][k];
-    }
-  for (size_t c = 0; c <= n; c++) { /* the last: the right side */
-    double y[UM_MISSING_LIGHT_NUMBERS];
-    for (size_t i = 0; i < n; i++) {
-      y[i] = c == n ? right[i] : i == c ? 1.0 : 0.0;
-      for (size_t l = 0; l < i; l++) y[i] -= gram[i][l] * y[l];
-      y[i] /= gram[i][i];
-    }
-    for (size_t i = n; i-- > 0;) {
-      for (size_t l = i + 1; l < n; l++) y[i] -= gram[l][i] * y[l];
-      y[i] /= gram[i][i];
-    }
-    for (size_t i = 0; i < n; i++) {
-      if (c == n) x[i] = y[i];
-      if (c == i) variance[i] = y[i];
-    }
-  }
+    if (!(gram[i][i] * gram[i][i] > ABSORBED * whole[i])) return false;
+  gsl_linalg_cholesky_solve(&m.matrix, &b.vector, &to.vector);
+  gsl_linalg_cholesky_invert(&m.matrix);
+  for (size_t i = 0; i < n; i++) variance[i] = gram[i][i];
   return true;
 }
 

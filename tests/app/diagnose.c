@@ -298,7 +298,7 @@ static void test_posterior(void **state)
                                  "zero_point:vis,sigma=0.1", "--posterior", "--draws", "300",
                                  "--out", "out", NULL);
   if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
-  assert_non_null(strstr(c.out, "\nposterior: 300 draws, worth "));
+  assert_non_null(strstr(c.out, "\nposterior: 300 draws, effective number "));
   assert_non_null(strstr(c.out, "\n  emittance:grey_white factor "));
   assert_non_null(strstr(c.out, " instead of "));
   char *text = command_read("out/posterior.csv");
@@ -329,7 +329,7 @@ static void test_posterior(void **state)
   command_release(&c);
   c = command_run("fit", BOX, "m.csv", "--add", "emittance:grey_white", "--draws", "30", NULL);
   assert_int_equal(c.code, 2);
-  assert_non_null(strstr(c.err, "--draws goes with --posterior"));
+  assert_non_null(strstr(c.err, "--draws needs --posterior"));
   command_release(&c);
 }
 

@@ -157,7 +157,7 @@ enum um_status um_diagnosis_report_plot_posterior(struct um_context *context,
   snprintf(title, sizeof title, "%.100s: what is known of the fitted values",
            d->forward->model->scenario->name);
   snprintf(below, sizeof below,
-           "%zu draws, worth %.0f%s; lines at 16, 50 and 84 %%, cross: the fit%s", p->n,
+           "%zu draws, effective number %.0f%s; lines at 16, 50 and 84 %%, cross: the fit%s", p->n,
            p->effective, p->sound ? "" : ", too few to be trusted",
            n < p->nfitted ? "; the first of them" : "");
   um_plot_title(plot, title, below);

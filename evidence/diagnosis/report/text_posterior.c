@@ -55,7 +55,7 @@ void um_diagnosis_report_write_text_posterior(const struct um_diagnosis *d, FILE
     fprintf(file, "%s%s.\n", i == 0 ? "\n" : "", words);
   }
   if (p == NULL) return;
-  fprintf(file, "\nposterior: %zu draws, worth %.0f", p->n, p->effective);
+  fprintf(file, "\nposterior: %zu draws, effective number %.0f", p->n, p->effective);
   if (!p->sound) {
     fprintf(file, ": too few to state intervals%s; ask for more by --draws, or fit fewer effects\n",
             p->tail > UM_UNCERTAINTY_TAIL_MOST ? ", since a few of them weigh too much" : "");

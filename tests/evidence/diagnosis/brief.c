@@ -197,7 +197,8 @@ static void test_unexplained(void **state)
   begins(brief,
          "The effects of the catalogue do not explain all of it. The scenario is off most in");
   has(brief, "measured 2 sigma below it on average");
-  says(brief, "that goes with the sunlight on grey_white. Missing heat explains it: 4400 +- 300 J");
+  says(brief, "residual correlates with the sunlight on grey_white. Missing heat explains it: 4400 "
+              "+- 300 J");
   has(brief, "\nTo see where it is off, type: umbra compare 'out/my pass/improved' m.csv --out "
              "'out/my pass-after'\n");
   has_not(brief, "internal_power");

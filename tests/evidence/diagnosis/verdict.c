@@ -304,7 +304,8 @@ static void abstaining_begins_with_the_residual(void **state)
       "No effect of the catalogue explains the measurements. The scenario is off most in "
       "temperature bus.+y (measured 3 sigma above it on average, ";
   assert_int_equal(strncmp(sentence, begins, strlen(begins)), 0);
-  assert_non_null(strstr(sentence, "), and that goes with the time since it entered the shadow."));
+  assert_non_null(strstr(
+      sentence, "), and the residual correlates with the time since it entered the shadow."));
   assert_non_null(strstr(sentence, "4400 +- 300 J in bus.+y from "));
   assert_non_null(
       strstr(sentence, "+- 4 s, a pulse of 48.9 W for 90 +- 6 s; or a decay (BIC +3.1)"));
