@@ -204,6 +204,50 @@ static void test_group(void **state)
   command_release(&c);
 }
 
+/* Heat of thin air, depth 0.1, and the light of a sky that grows as fast toward the horizon: one of
+ * a group, though the depth of 0.3 that a search for such air begins with explains less than the
+ * sky does. */
+static void test_unknown_shape(void **state)
+{
+  (void)state;
+#define DAWN UMBRA_SOURCE_DIR "/scenarios/hidden-effect/dawn"
+  command_expect(0, "synth", DAWN, "--noise", "0.01", "--seed", "2", "-o", "m.csv", "--with",
+                 "path_radiance:lwir,irradiance_W_m2=2e-13,depth=0.1", NULL);
+  struct command c = command_run("diagnose", DAWN, "m.csv", "--no-plots", "--out", "out", "--only",
+                                 "path_radiance", "--only", "sky_background", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  if (strncmp(c.out, "One of these, not known which: ", 31) != 0 ||
+      strstr(c.out, "path_radiance:lwir") == NULL || strstr(c.out, "sky_background:lwir") == NULL)
+    fail_msg("no group of both: %s", c.out);
+  char *json = command_read("out/diagnosis.json");
+  assert_null(strstr(json, "\"not_tried\": true")); /* it was fitted */
+  free(json);
+  command_release(&c);
+}
+
+/* FUNcube-1 as it is: an albedo 8 % higher leaves white noise, but a little error of the model
+ * along the orbit explains as much. So nothing is missing, and the error is said. Without the
+ * albedo it is named all the same. */
+static void test_discrepancy(void **state)
+{
+  (void)state;
+#define FUNCUBE UMBRA_SOURCE_DIR "/scenarios/funcube-1"
+  struct command c =
+      command_run("diagnose", FUNCUBE, FUNCUBE "/measured-10min.csv", "--no-plots", "--out", "out",
+                  "--only", "albedo_level", "--only", "earth_ir_level", NULL);
+  if (c.code != 0) fail_msg("exit %d: %s", c.code, c.err);
+  if (strncmp(c.out, "Nothing is missing, but the model is off by 0.7", 47) != 0 ||
+      strstr(c.out, "along the phase of the orbit") == NULL)
+    fail_msg("not complete with a discrepancy: %s", c.out);
+  command_release(&c);
+  c = command_run("diagnose", FUNCUBE, FUNCUBE "/measured-10min.csv", "--no-plots", "--out", "two",
+                  "--without", "albedo", "--only", "albedo", "--only", "earth_ir_level", NULL);
+  if (strncmp(c.out, "Missing: Sunlight reflected by the Earth heats the satellite (albedo; ",
+              70) != 0)
+    fail_msg("albedo is not named: %s%s", c.out, c.err);
+  command_release(&c);
+}
+
 /* A complete model is called so, and a person can read it. */
 static void test_complete(void **state)
 {
@@ -379,6 +423,8 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_found, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_worse, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_group, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_unknown_shape, enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_discrepancy, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_complete, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_progress, enter, command_leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, command_leave),
