@@ -18,7 +18,6 @@
 
 #include "base/core/vec.h"
 
-#define NEAR    -0.2 /* cosine outside the Earth beyond which no part of a cell is inside */
 #define UPRIGHT 1e-9 /* sine of an angle of which the azimuth does not matter */
 
 double um_optics_fresnel_node(int node)
@@ -65,43 +64,33 @@ double um_optics_earth_lit(struct um_vec3 nadir, struct um_vec3 sun, double h, s
 
 /* What a half vector brings. */
 struct facet {
+  struct um_vec3 i;
   double weight; /* of the lobe */
   double cosine; /* o.h */
   double inside; /* i.nadir - cos(rho) */
-  double lit;
-  unsigned short node[4]; /* of an Earth that varies, and their weights */
-  double share[4];
 };
 
-/* Where a facet looks on an Earth that varies. */
-static void look_up(const struct um_optics_earth_before *before, struct um_vec3 direction,
-                    struct facet *facet)
-{
-  const struct um_environment_earth_seen *seen = before->seen;
-  double albedo = 0.0;
-  um_environment_earth_seen_at(&before->axes, direction, facet->node, facet->share);
-  for (int k = 0; k < 4; k++) albedo += facet->share[k] * seen->ground[facet->node[k]].albedo;
-  facet->lit *= albedo;
-}
+/* How the Earth lies about the surface. */
+struct view {
+  const struct um_optics_earth_before *before;
+  struct um_optics_frame f;
+  double h, cos_rho; /* r/R, cosine of the Earth's half width */
+};
 
 /* A ring of them. */
-static void ring_at(const struct um_optics_earth_before *before, const struct um_optics_frame *f,
-                    const struct um_optics_lobe_facets *facets, double toward, double h_ratio,
-                    double cos_rho, int ring, struct facet *out)
+static void ring_at(const struct view *view, const struct um_optics_lobe_facets *facets,
+                    double toward, int ring, struct facet *out)
 {
+  const struct um_optics_frame *f = &view->f;
   struct um_materials_reflected r[UM_OPTICS_LOBE_CELLS_MAX];
   const struct um_materials_lobe *lobe = &facets->lobe;
   size_t n = (size_t)facets->cells;
   lobe->kind->reflect(lobe, facets->half + (size_t)ring * n, n, f->observer, toward, r);
   for (size_t k = 0; k < n; k++) {
-    double cos_eta = um_vec3_dot(r[k].i, f->nadir);
-    out[k].weight = r[k].weight;
-    out[k].cosine = r[k].cos_d;
-    out[k].inside = cos_eta - cos_rho;
-    out[k].lit = 0.0;
-    if (!(out[k].weight > 0.0 && out[k].inside > NEAR)) continue;
-    out[k].lit = um_optics_earth_lit(f->nadir, f->sun, h_ratio, r[k].i, cos_eta);
-    if (before->seen != NULL) look_up(before, r[k].i, &out[k]);
+    out[k] = (struct facet){.i = r[k].i,
+                            .weight = r[k].weight,
+                            .cosine = r[k].cos_d,
+                            .inside = um_vec3_dot(r[k].i, f->nadir) - view->cos_rho};
   }
 }
 
@@ -147,8 +136,29 @@ void um_optics_lobe_facets_fill(struct um_optics_lobe_facets *facets)
           lobe->kind->draw(lobe, (k + 0.5) / facets->rings, (0.25 + j) / facets->cells);
 }
 
+/* What the Earth sends from where a facet looks, w of the lobe. */
+static void add_earth(const struct view *view, const struct facet *facet, int first,
+                      const double weight[4], double w, struct um_optics_earth_lobe *out)
+{
+  const struct um_environment_earth_seen *seen = view->before->seen;
+  double lit = um_optics_earth_lit(view->f.nadir, view->f.sun, view->h, facet->i,
+                                   facet->inside + view->cos_rho);
+  spread(weight, w, out->earth + first);
+  if (seen != NULL) {
+    unsigned short node[4];
+    double share[4], albedo = 0.0;
+    um_environment_earth_seen_at(&view->before->axes, facet->i, node, share);
+    for (int k = 0; k < 4; k++) {
+      albedo += share[k] * seen->ground[node[k]].albedo;
+      out->where[node[k]] += w * share[k];
+    }
+    lit *= albedo;
+  }
+  if (lit > 0.0) spread(weight, w * lit, out->lit + first);
+}
+
 /* What a ring of facets brings; low and high: the rings below and above it, or itself. */
-static void add_ring(bool varies, const struct facet *low, const struct facet *ring,
+static void add_ring(const struct view *view, const struct facet *low, const struct facet *ring,
                      const struct facet *high, int cells, double share,
                      struct um_optics_earth_lobe *out)
 {
@@ -163,10 +173,7 @@ static void add_ring(bool varies, const struct facet *low, const struct facet *r
     double weight[4];
     int node = um_optics_fresnel_weights(now->cosine, weight);
     spread(weight, w, out->all + node);
-    if (inside > 0.0) spread(weight, w * inside, out->earth + node);
-    for (int p = 0; p < 4 && varies && inside > 0.0; p++)
-      out->where[now->node[p]] += w * inside * now->share[p];
-    if (inside * now->lit > 0.0) spread(weight, w * inside * now->lit, out->lit + node);
+    if (inside > 0.0) add_earth(view, now, node, weight, w * inside, out);
   }
 }
 
@@ -175,20 +182,19 @@ void um_optics_earth_lobe(const struct um_optics_earth_before *before,
                           struct um_optics_earth_lobe *out)
 {
   struct facet row[3][UM_OPTICS_LOBE_CELLS_MAX];
-  bool varies = before->seen != NULL;
-  memset(out, 0, varies ? sizeof *out : offsetof(struct um_optics_earth_lobe, where));
+  struct view view = {.before = before, .h = fmax(before->h_ratio, 1.0)};
+  memset(out, 0, before->seen != NULL ? sizeof *out : offsetof(struct um_optics_earth_lobe, where));
   if (!(before->normal_observer > 0.0)) return;
-  struct um_optics_frame f = before->grain != NULL ? *before->grain : frame_of(before);
-  double h = fmax(before->h_ratio, 1.0), cos_rho = sqrt(fmax(0.0, 1.0 - 1.0 / (h * h)));
-  double toward = um_materials_lobe_toward(&facets->lobe, f.observer);
+  view.f = before->grain != NULL ? *before->grain : frame_of(before);
+  view.cos_rho = sqrt(fmax(0.0, 1.0 - 1.0 / (view.h * view.h)));
+  double toward = um_materials_lobe_toward(&facets->lobe, view.f.observer);
   int cells = facets->cells;
   for (int k = -1; k < facets->rings; k++) {
-    if (k + 1 < facets->rings)
-      ring_at(before, &f, facets, toward, h, cos_rho, k + 1, row[(k + 1) % 3]);
+    if (k + 1 < facets->rings) ring_at(&view, facets, toward, k + 1, row[(k + 1) % 3]);
     if (k < 0) continue;
     const struct facet *low = row[(k > 0 ? k - 1 : k) % 3];
     const struct facet *ring = row[k % 3];
     const struct facet *high = row[(k + 1 < facets->rings ? k + 1 : k) % 3];
-    add_ring(varies, low, ring, high, cells, 1.0 / (facets->rings * cells), out);
+    add_ring(&view, low, ring, high, cells, 1.0 / (facets->rings * cells), out);
   }
 }

@@ -219,6 +219,43 @@ static void whole_lobe(void **state)
   }
 }
 
+/* A rough lobe of GGX has rings so wide that the limb crosses facets whose middles are far from it.
+ * What they bring is counted, and what comes from the Earth is what comes from its places. */
+static void wide_lobe(void **state)
+{
+  static struct um_environment_earth_seen seen;
+  const struct um_materials_lobe ggx = {
+      um_materials_lobe_kind_find("ggx"), 0.9, 0.9, false, NULL, 0.0, NULL, false};
+  double worst = 0.0;
+  (void)state;
+  for (int k = 0; k < UM_EARTH_SEEN_NODES; k++) seen.ground[k].albedo = 1.0;
+  for (int k = 0; k < 12; k++) {
+    struct um_vec3 nadir = toward(0.5 + 0.15 * k, 0.4 * k), observer = toward(1.2, 2.0);
+    struct um_vec3 sun = toward(1.0, 0.3 * k);
+    struct um_optics_frame frame = {observer, nadir, sun};
+    struct um_optics_lobe_facets few = {ggx, UM_OPTICS_LOBE_RINGS, UM_OPTICS_LOBE_CELLS, half};
+    struct um_optics_lobe_facets many = {ggx, RINGS, CELLS, half};
+    struct um_optics_earth_before b = before(nadir, observer, sun);
+    struct um_optics_earth_lobe lobe, exact;
+    double earth = 0.0, where = 0.0;
+    um_optics_lobe_facets_fill(&many);
+    um_optics_earth_lobe(&b, &many, &exact);
+    b.grain = &frame;
+    b.seen = &seen;
+    b.axes = (struct um_environment_earth_axes){.h = H_RATIO, .nadir = nadir};
+    um_core_vec3_frame(nadir, &b.axes.sunward, &b.axes.side);
+    um_optics_lobe_facets_fill(&few);
+    um_optics_earth_lobe(&b, &few, &lobe);
+    for (int i = 0; i < UM_OPTICS_FRESNEL_NODES; i++) earth += lobe.earth[i];
+    for (int i = 0; i < UM_EARTH_SEEN_NODES; i++) where += lobe.where[i];
+    fixture_close("places of the Earth in a wide lobe", where, earth, 1e-12);
+    double error = with_fresnel(lobe.earth, 1.5, 0.0) - with_fresnel(exact.earth, 1.5, 0.0);
+    worst = fmax(worst, fabs(error));
+  }
+  print_message("wide lobe: largest %.4f (accepted 0.002)\n", worst);
+  assert_true(worst <= 0.002);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -226,6 +263,7 @@ int main(void)
       cmocka_unit_test(with_few_facets),
       cmocka_unit_test_setup_teardown(lit_part, table_create, table_destroy),
       cmocka_unit_test(whole_lobe),
+      cmocka_unit_test(wide_lobe),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
