@@ -14,27 +14,30 @@
 
 #define FOLDER  UMBRA_SOURCE_DIR "/bench/worlds"
 #define JOURNAL "out/bench/worlds.csv"
-#define WORDS   64
+#define WORDS   128
 #define LIMIT_S 3600 /* of processor time for a world */
 #define METHODS (WORLDS_BASELINES + 1)
 
 static const char usage[] =
     "usage: bench_worlds [OUT.json] [--journal FILE] [--worlds A,B] [--candidates A,B]\n"
-    "                    [--limit SECONDS] [--tables [METHOD]] [--again] [--all-right]\n"
+    "                    [--folder DIR] [--open-set] [--limit SECONDS] [--tables [METHOD]]\n"
+    "                    [--again] [--all-right]\n"
     "  --journal     answers, a row each; those that stand there are kept (" JOURNAL ")\n"
     "  --again       forget those that stand there\n"
     "  --worlds      these alone, in this order\n"
     "  --candidates  effects that are looked for; all of them without\n"
+    "  --folder      with worlds.csv and the worlds that it lists (bench/worlds)\n"
+    "  --open-set    what is hidden is taken out of the catalogue: is anything certain then?\n"
     "  --limit       processor time that a world may take\n"
     "  --tables      compute nothing; METHOD: of another program whose answers stand there\n"
     "  --all-right   fail unless every method is right in every world\n";
 
 struct arguments {
-  const char *json, *journal, *method;
+  const char *json, *journal, *folder, *method;
   const char *world[WORDS], *candidate[WORDS];
   size_t nworld, ncandidate;
   rlim_t limit;
-  bool tables, again, all_right;
+  bool tables, again, all_right, open_set;
 };
 
 static size_t split(char *text, const char *word[WORDS])
@@ -48,13 +51,15 @@ static size_t split(char *text, const char *word[WORDS])
 
 static bool parse(int argc, char **argv, struct arguments *a)
 {
-  *a = (struct arguments){.journal = JOURNAL, .limit = LIMIT_S};
+  *a = (struct arguments){.journal = JOURNAL, .folder = FOLDER, .limit = LIMIT_S};
   for (int i = 1; i < argc; i++) {
     char *value = i + 1 < argc ? argv[i + 1] : NULL;
     if (argv[i][0] != '-') {
       a->json = argv[i];
     } else if (strcmp(argv[i], "--all-right") == 0) {
       a->all_right = true;
+    } else if (strcmp(argv[i], "--open-set") == 0) {
+      a->open_set = true;
     } else if (strcmp(argv[i], "--again") == 0) {
       a->again = true;
     } else if (strcmp(argv[i], "--tables") == 0) {
@@ -65,6 +70,8 @@ static bool parse(int argc, char **argv, struct arguments *a)
     } else {
       if (strcmp(argv[i], "--journal") == 0)
         a->journal = value;
+      else if (strcmp(argv[i], "--folder") == 0)
+        a->folder = value;
       else if (strcmp(argv[i], "--worlds") == 0)
         a->nworld = split(value, a->world);
       else if (strcmp(argv[i], "--candidates") == 0)
@@ -102,13 +109,18 @@ static enum um_status choose(struct um_context *context, const struct arguments 
   return UM_OK;
 }
 
+static const char *method_of(const struct arguments *a)
+{
+  return a->open_set ? WORLDS_OPEN : WORLDS_PROGRAM;
+}
+
 static bool keep_failure(const struct arguments *a, const struct worlds_world *world,
                          const char *why, double seconds)
 {
   struct worlds_answer *failure = calloc(1, sizeof *failure);
   if (failure == NULL) return false;
   snprintf(failure->world, sizeof failure->world, "%s", world->name);
-  snprintf(failure->method, sizeof failure->method, WORLDS_PROGRAM);
+  snprintf(failure->method, sizeof failure->method, "%s", method_of(a));
   snprintf(failure->verdict, sizeof failure->verdict, "error");
   snprintf(failure->note, sizeof failure->note, "%s", why);
   failure->probability = NAN;
@@ -121,7 +133,8 @@ static bool keep_failure(const struct arguments *a, const struct worlds_world *w
 static int in_child(struct um_context *context, const struct arguments *a,
                     const struct worlds_world *world)
 {
-  const struct worlds_options options = {FOLDER, a->journal, a->candidate, a->ncandidate};
+  const struct worlds_options options = {a->folder, a->journal, a->candidate, a->ncandidate,
+                                         a->open_set};
   const struct rlimit limit = {a->limit, a->limit + 5};
   double start = bench_cpu();
   if (setrlimit(RLIMIT_CPU, &limit) != 0) return 1;
@@ -253,6 +266,41 @@ static enum um_status report(struct bench *bench, const struct arguments *a,
   return status;
 }
 
+/* Of worlds with a hidden effect that is in no catalogue: is anything certain, and which half of
+ * the model is said to be wrong? */
+static enum um_status report_open(struct bench *bench, const struct arguments *a,
+                                  const struct worlds_world *chosen[], size_t n)
+{
+  struct worlds_answer *answer = NULL;
+  size_t count, all = 0, certain = 0, wrong = 0;
+  UM_TRY(read_answers(bench->context, a->journal, &answer, &count));
+  printf("\n| world | left out | verdict | certain | half |\n|---|---|---|---|---|\n");
+  for (size_t i = 0; i < n; i++) {
+    char out[WORLDS_LEFT_OUT][WORLDS_TEXT], list[WORLDS_LONG] = "";
+    size_t nout;
+    const struct worlds_answer *of =
+        worlds_journal_find(answer, count, chosen[i]->name, WORLDS_OPEN);
+    if (of == NULL) continue;
+    worlds_left_out(chosen[i], out, &nout);
+    for (size_t k = 0; k < nout; k++) worlds_append(list, sizeof list, ", ", out[k]);
+    bool right = worlds_half_is_right(chosen[i], of->half);
+    printf("| %s | %s | %s | %s | %s%s |\n", chosen[i]->name, list, of->verdict, of->certain,
+           of->half, right ? "" : " **wrong**");
+    all++;
+    certain += of->certain[0] != '\0' || strcmp(of->verdict, "error") == 0;
+    wrong += !right;
+  }
+  figure(bench, "open set: something is certain", (double)certain, all, 1.0 / 40.0);
+  figure(bench, "open set: wrong half", (double)wrong, all, 4.0 / 40.0);
+  um_core_free(bench->context, answer);
+  return UM_OK;
+}
+
+static bool is_asked(const struct arguments *a, const struct worlds_world *world)
+{
+  return !a->open_set || world->nhidden > 0;
+}
+
 static enum um_status run(struct bench *bench, const struct arguments *a, bool *all_right)
 {
   enum um_status status;
@@ -260,16 +308,22 @@ static enum um_status run(struct bench *bench, const struct arguments *a, bool *
   struct worlds_answer *known = NULL;
   const struct worlds_world *chosen[WORDS];
   size_t count, n, nknown;
-  UM_CHECK(worlds_read(bench->context, FOLDER "/worlds.csv", &all, &count));
+  char path[4 * WORLDS_TEXT];
+  snprintf(path, sizeof path, "%s/worlds.csv", a->folder);
+  UM_CHECK(worlds_read(bench->context, path, &all, &count));
   UM_CHECK(choose(bench->context, a, all, count, chosen, &n));
   UM_CHECK(read_answers(bench->context, a->journal, &known, &nknown));
   for (size_t i = 0; i < n && !a->tables; i++) {
     const struct worlds_answer *of =
-        worlds_journal_find(known, nknown, chosen[i]->name, WORLDS_PROGRAM);
+        worlds_journal_find(known, nknown, chosen[i]->name, method_of(a));
+    if (!is_asked(a, chosen[i])) continue;
     if (of == NULL || strcmp(of->verdict, "error") == 0)
       UM_CHECK(answer(bench->context, a, chosen[i]));
   }
-  UM_CHECK(report(bench, a, chosen, n, all_right));
+  if (a->open_set)
+    UM_CHECK(report_open(bench, a, chosen, n));
+  else
+    UM_CHECK(report(bench, a, chosen, n, all_right));
 done:
   um_core_free(bench->context, all);
   um_core_free(bench->context, known);

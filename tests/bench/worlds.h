@@ -52,6 +52,7 @@ struct worlds_answer {
                                 or uncertain; a heat pulse is "pulse:PLACE" */
   char values[WORLDS_LONG];  /* "effect:target parameter value sigma", joined by " + " */
   double probability;        /* stated for the truth [1]; NaN: none is */
+  char half[32];             /* of the model, that is most probably wrong; "": none is said */
   double seconds;            /* processor time */
   char note[WORLDS_LONG];
 };
@@ -101,15 +102,26 @@ enum um_status worlds_discrepancy(struct um_context *context, size_t n, const do
                                   const size_t *channel, size_t nchannel, const double *r,
                                   double *out, bool *found);
 
-/* worlds_diagnose.c: all methods on one world, appended to the journal as they come. only: [nonly]
- * candidates; none: all. */
+/* worlds_diagnose.c: all methods on one world, appended to the journal as they come. Nuisances are
+ * those of the scenario. only: [nonly] candidates; none: all. open_set: this program alone, with
+ * what is hidden, and what looks like it, taken out of the catalogue on every target. */
 struct worlds_options {
   const char *folder, *journal; /* of the worlds; path */
   const char *const *only;
   size_t nonly;
+  bool open_set;
 };
 enum um_status worlds_diagnose(struct um_context *context, const struct worlds_options *options,
                                const struct worlds_world *world);
 #define WORLDS_PROGRAM "umbra"
+#define WORLDS_OPEN    "umbra-open" /* with the open set */
+
+/* worlds_open.c: names of the effects that are hidden or look like it, without targets, each once:
+ * [*count] of text. */
+#define WORLDS_LEFT_OUT 16
+void worlds_left_out(const struct worlds_world *world, char text[WORLDS_LEFT_OUT][WORLDS_TEXT],
+                     size_t *count);
+/* Whether the half is that of something that is hidden. */
+bool worlds_half_is_right(const struct worlds_world *world, const char *half);
 
 #endif

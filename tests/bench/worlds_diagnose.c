@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "effects/half.h"
 #include "evidence/diagnosis/diagnose.h"
+#include "evidence/diagnosis/request.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/worlds.h"
 
@@ -115,6 +117,15 @@ static void describe_probability(const struct um_diagnosis *d, const struct worl
     a->probability = sum / n;
 }
 
+static void describe_half(const struct um_diagnosis *d, struct worlds_answer *a)
+{
+  size_t most = 0;
+  for (size_t h = 1; h < UM_HALVES; h++)
+    if (d->half[h] > d->half[most]) most = h;
+  if (isfinite(d->half[most]))
+    snprintf(a->half, sizeof a->half, "%s", um_effects_half_name((enum um_effects_half)most));
+}
+
 static enum um_status keep(struct um_context *context, const char *journal,
                            const struct worlds_answer *a)
 {
@@ -138,21 +149,39 @@ static enum um_status baselines(struct um_context *context, const struct worlds_
   return UM_OK;
 }
 
+/* This program's answer. *a is set where it succeeds. */
+static enum um_status ask(struct um_context *context, struct um_sensitivity_forward *forward,
+                          struct um_sensitivity_candidates *candidates,
+                          const struct um_diagnosis_options *wanted,
+                          const struct worlds_world *world, struct worlds_answer *a)
+{
+  struct um_diagnosis *d = NULL;
+  UM_TRY(um_diagnosis_create(context, forward, candidates, wanted, &d));
+  snprintf(a->verdict, sizeof a->verdict, "%s", um_diagnosis_verdict_name(d->verdict));
+  describe_steps(d, a);
+  describe_values(d, a);
+  describe_pulse(d, a);
+  describe_probability(d, world, a);
+  describe_half(d, a);
+  um_diagnosis_destroy(context, &d);
+  return UM_OK;
+}
+
 enum um_status worlds_diagnose(struct um_context *context, const struct worlds_options *options,
                                const struct worlds_world *world)
 {
   enum um_status status;
   char scenario[2 * WORLDS_TEXT], measured[2 * WORLDS_TEXT + 32], without[WORLDS_TEXT],
-      set[WORLDS_TEXT];
-  const char *left_out[WORDS], *key[WORDS];
+      set[WORLDS_TEXT], out[WORLDS_LEFT_OUT][WORLDS_TEXT];
+  const char *left_out[WORDS], *key[WORDS], *exclude[WORLDS_LEFT_OUT];
   struct um_model_options model = {.without = left_out, .overrides = key};
   struct um_compare_measurements *measurements = NULL;
   struct um_sensitivity_forward *forward = NULL;
   struct um_sensitivity_candidates *candidates = NULL;
-  struct um_diagnosis *d = NULL;
+  struct um_diagnosis_request request = {0};
   struct worlds_answer *a = NULL;
   double start = bench_cpu();
-  size_t folder = strcspn(world->scenario, "/");
+  size_t folder = strcspn(world->scenario, "/"), nexclude = 0;
   snprintf(scenario, sizeof scenario, "%s/%s", options->folder, world->scenario);
   snprintf(measured, sizeof measured, "%s/%.*s/%s", options->folder, (int)folder, world->scenario,
            world->measurement);
@@ -160,26 +189,30 @@ enum um_status worlds_diagnose(struct um_context *context, const struct worlds_o
   snprintf(set, sizeof set, "%s", world->set);
   model.nwithout = split(without, left_out);
   model.noverride = split(set, key);
-  const struct um_diagnosis_options wanted = {
-      .candidates = {.only = options->only, .nonly = options->nonly}, .no_next = true};
+  if (options->open_set) worlds_left_out(world, out, &nexclude);
+  for (size_t i = 0; i < nexclude; i++) exclude[i] = out[i];
   UM_CHECK(um_core_allocate(context, 1, sizeof *a, &a));
   UM_CHECK(um_compare_measurements_read(context, measured, &measurements));
   UM_CHECK(um_sensitivity_forward_create(context, scenario, &model, measurements, UM_VARIANT_TIGHT,
                                          &forward));
+  UM_CHECK(um_diagnosis_request_make(context, forward->model,
+                                     &(struct um_diagnosis_request_texts){0}, &request));
+  const struct um_diagnosis_options wanted = {.candidates = {.only = options->only,
+                                                             .nonly = options->nonly,
+                                                             .exclude = exclude,
+                                                             .nexclude = nexclude},
+                                              .nuisance = request.nuisance,
+                                              .nnuisance = request.nnuisance,
+                                              .no_next = true};
   UM_CHECK(
       um_sensitivity_candidates_create(context, forward, NULL, 0, &wanted.candidates, &candidates));
-  UM_CHECK(baselines(context, options, world, forward, candidates, a));
-  begin(a, world, WORLDS_PROGRAM);
-  UM_CHECK(um_diagnosis_create(context, forward, candidates, &wanted, &d));
-  snprintf(a->verdict, sizeof a->verdict, "%s", um_diagnosis_verdict_name(d->verdict));
-  describe_steps(d, a);
-  describe_values(d, a);
-  describe_pulse(d, a);
-  describe_probability(d, world, a);
+  if (!options->open_set) UM_CHECK(baselines(context, options, world, forward, candidates, a));
+  begin(a, world, options->open_set ? WORLDS_OPEN : WORLDS_PROGRAM);
+  UM_CHECK(ask(context, forward, candidates, &wanted, world, a));
   a->seconds = bench_cpu() - start;
   UM_CHECK(keep(context, options->journal, a));
 done:
-  um_diagnosis_destroy(context, &d);
+  um_diagnosis_request_release(context, &request);
   um_sensitivity_candidates_destroy(context, &candidates);
   um_sensitivity_forward_destroy(context, &forward);
   um_compare_measurements_destroy(context, &measurements);

@@ -8,6 +8,7 @@
 static const char *const columns[] = {"world",  "method",      "verdict", "certain", "groups",
                                       "values", "probability", "seconds", "note"};
 #define NCOLUMN (sizeof columns / sizeof columns[0])
+#define HALF    "half" /* a column that other programs need not have */
 
 void worlds_append(char *list, size_t size, const char *between, const char *text)
 {
@@ -18,6 +19,7 @@ void worlds_append(char *list, size_t size, const char *between, const char *tex
 static void row_of(const struct um_core_csv *csv, size_t i, const size_t *column,
                    struct worlds_answer *a)
 {
+  size_t half = um_core_csv_find(csv, HALF);
   const struct {
     char *to;
     size_t size;
@@ -36,6 +38,8 @@ static void row_of(const struct um_core_csv *csv, size_t i, const size_t *column
       snprintf(text[c].to, text[c].size, "%s", um_core_csv_text(csv, i, column[c]));
   for (size_t c = 0; c < 2; c++)
     if (!um_core_number_parse(um_core_csv_text(csv, i, column[6 + c]), number[c])) *number[c] = NAN;
+  if (half < um_core_csv_columns(csv))
+    snprintf(a->half, sizeof a->half, "%s", um_core_csv_text(csv, i, half));
 }
 
 enum um_status worlds_journal_read(struct um_context *context, const char *path,
@@ -62,7 +66,7 @@ bool worlds_journal_append(const char *path, const struct worlds_answer *a)
   if (file == NULL) return false;
   if (fseek(file, 0, SEEK_END) == 0 && ftell(file) == 0)
     for (size_t c = 0; c < NCOLUMN; c++)
-      fprintf(file, "%s%s", columns[c], c + 1 < NCOLUMN ? "," : "\n");
+      fprintf(file, "%s%s", columns[c], c + 1 < NCOLUMN ? "," : "," HALF "\n");
   um_core_csv_put(file, a->world, "");
   um_core_csv_put_text(file, a->method, "");
   um_core_csv_put_text(file, a->verdict, "");
@@ -72,6 +76,7 @@ bool worlds_journal_append(const char *path, const struct worlds_answer *a)
   um_core_csv_put_number(file, a->probability);
   um_core_csv_put_number(file, a->seconds);
   um_core_csv_put_text(file, a->note, "");
+  um_core_csv_put_text(file, a->half, "");
   fputc('\n', file);
   bool written = ferror(file) == 0;
   return fclose(file) == 0 && written;

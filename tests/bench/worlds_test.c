@@ -168,6 +168,32 @@ static void test_discrepancy(void **state)
   um_core_context_destroy(&context);
 }
 
+/* Taken out are effects, once each, on every target; a pulse of heat is in no catalogue. */
+static void test_open_set(void **state)
+{
+  char out[WORLDS_LEFT_OUT][WORLDS_TEXT];
+  size_t n;
+  struct worlds_world world = {
+      .also = "stored_heat:bus|albedo_level",
+      .nhidden = 2,
+      .hidden = {{.names = "internal_power:bus*|heater:bus.interior"}, {.names = "heater:array"}}};
+  const struct worlds_world pulse = {.nhidden = 1, .hidden = {{.names = "pulse:bus.-y"}}};
+  (void)state;
+  worlds_left_out(&world, out, &n);
+  assert_int_equal(n, 4);
+  assert_string_equal(out[0], "internal_power");
+  assert_string_equal(out[1], "heater");
+  assert_string_equal(out[2], "stored_heat");
+  assert_string_equal(out[3], "albedo_level");
+  /* what only looks like it need not be of the same half */
+  assert_true(worlds_half_is_right(&world, "heat"));
+  assert_false(worlds_half_is_right(&world, "earth_shadow"));
+  assert_false(worlds_half_is_right(&world, ""));
+  worlds_left_out(&pulse, out, &n);
+  assert_int_equal(n, 0);
+  assert_true(worlds_half_is_right(&pulse, "heat"));
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -175,6 +201,6 @@ int main(void)
       cmocka_unit_test(test_one_of_a_group), cmocka_unit_test(test_false_beside_true),
       cmocka_unit_test(test_missed),         cmocka_unit_test(test_nothing),
       cmocka_unit_test(test_unexplained),    cmocka_unit_test(test_two_and_stated),
-      cmocka_unit_test(test_discrepancy)};
+      cmocka_unit_test(test_discrepancy),    cmocka_unit_test(test_open_set)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

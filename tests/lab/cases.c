@@ -204,12 +204,25 @@ void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size)
            hidden->target != NULL ? hidden->target : "");
 }
 
-const char *lab_hidden_others(const struct lab_world *world, const struct lab_hidden *hidden)
+/* ",NAME=VALUE" of its parameters that neither are off nor stay as they fall back; "" for most. */
+static const char *others_of(const struct lab_world *world, const struct lab_hidden *hidden)
 {
   for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
     if (strcmp(others[i].world, world->name) == 0 && strcmp(others[i].effect, hidden->effect) == 0)
       return others[i].values;
   return "";
+}
+
+bool lab_hidden_with(const struct lab_world *world, const struct lab_hidden *hidden, char *out,
+                     size_t size)
+{
+  char name[LAB_TEXT / 2];
+  const struct um_effect *effect = um_effects_find(hidden->effect);
+  if (effect == NULL || hidden->parameter >= effect->nparameter) return false;
+  lab_hidden_name(hidden, name, sizeof name);
+  snprintf(out, size, "%s,%s=%.9g%s", name, effect->parameters[hidden->parameter].name,
+           hidden->value, others_of(world, hidden));
+  return true;
 }
 
 void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT])

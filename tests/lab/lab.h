@@ -102,8 +102,10 @@ size_t lab_cases_make(const struct lab_options *options, struct lab_case **out);
 void lab_case_hidden(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_case_value(const struct lab_case *c, char out[LAB_TEXT]);
 void lab_hidden_name(const struct lab_hidden *hidden, char *out, size_t size);
-/* ",NAME=VALUE" of its parameters that neither are off nor stay as they fall back; "" for most. */
-const char *lab_hidden_others(const struct lab_world *world, const struct lab_hidden *hidden);
+/* As --with has it: "effect:target,NAME=VALUE", other parameters that are off behind. False where
+ * there is no such effect or parameter. */
+bool lab_hidden_with(const struct lab_world *world, const struct lab_hidden *hidden, char *out,
+                     size_t size);
 
 /* The effect that a hidden one of a pair is confused with; NULL where it is of no pair. */
 const char *lab_pair_partner(const struct lab_case *c);

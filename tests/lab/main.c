@@ -85,11 +85,15 @@ static bool make_folder(const char *path)
 static void print_list(const struct lab_case *cases, size_t count)
 {
   for (size_t i = 0; i < count; i++) {
-    char hidden[LAB_TEXT], value[LAB_TEXT];
+    char hidden[LAB_TEXT], with[LAB_HIDDEN * LAB_TEXT] = "";
     lab_case_hidden(&cases[i], hidden);
-    lab_case_value(&cases[i], value);
-    printf("%-9s %-31s %-45s %-12s seed %llu\n", cases[i].part, cases[i].world->name, hidden, value,
-           (unsigned long long)cases[i].seed);
+    for (size_t k = 0; k < cases[i].nhidden; k++) {
+      char one[LAB_TEXT] = "?";
+      lab_hidden_with(cases[i].world, &cases[i].hidden[k], one, sizeof one);
+      lab_append(with, sizeof with, one);
+    }
+    printf("%-9s %-31s %-60s seed %llu\n", cases[i].part, cases[i].world->name,
+           with[0] != '\0' ? with : hidden, (unsigned long long)cases[i].seed);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/sampling.h"
-#include "effects/effects.h"
 #include "evidence/inversion/synth.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
@@ -62,14 +61,8 @@ static enum um_status build(struct um_context *context, const struct lab_case *c
     override[n++] = key;
   }
   for (size_t i = 0; i < c->nhidden; i++) {
-    char name[LAB_TEXT / 2];
-    lab_hidden_name(&c->hidden[i], name, sizeof name);
-    const struct um_effect *effect = um_effects_find(c->hidden[i].effect);
-    if (effect == NULL || c->hidden[i].parameter >= effect->nparameter)
-      return um_core_fail(context, UM_ERR_INPUT, "lab: no effect '%s'", name);
-    snprintf(with[i], sizeof with[i], "%s,%s=%.17g%s", name,
-             effect->parameters[c->hidden[i].parameter].name, c->hidden[i].value,
-             lab_hidden_others(c->world, &c->hidden[i]));
+    if (!lab_hidden_with(c->world, &c->hidden[i], with[i], sizeof with[i]))
+      return um_core_fail(context, UM_ERR_INPUT, "lab: no effect '%s'", c->hidden[i].effect);
     withs[i] = with[i];
   }
   struct um_model_options options = {
