@@ -238,6 +238,7 @@ static enum um_status report(struct bench *bench, const struct arguments *a,
   size_t count;
   const char *method[METHODS] = {a->method != NULL ? a->method : WORLDS_PROGRAM};
   struct tally tally[METHODS] = {{0}};
+  struct worlds_reliability reliability = {.count = {0}};
   *all_right = true;
   for (size_t b = 0; b < WORLDS_BASELINES; b++) method[b + 1] = worlds_baselines[b];
   UM_TRY(read_answers(bench->context, a->journal, &answer, &count));
@@ -253,12 +254,14 @@ static enum um_status report(struct bench *bench, const struct arguments *a,
       if (of == NULL && m == 0) break; /* a world that is not answered yet counts for nobody */
       if (of == NULL) continue;
       if (m == 0) tell_world(chosen[i], of, &j);
+      if (m == 0) worlds_reliability_add(chosen[i], of, &reliability);
       add(&tally[m], &j);
     }
   printf("\n| method | detection | 1 - false alarms | isolation | abstention | right or rightly "
          "abstaining | false certainty | values within 3 sigma "
          "|\n|---|---|---|---|---|---|---|---|\n");
   for (size_t m = 0; m < METHODS; m++) tell(method[m], &tally[m]);
+  worlds_reliability_print(&reliability);
   tell_figures(bench, &tally[0]);
   printf("\n");
   status = UM_OK;

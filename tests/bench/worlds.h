@@ -53,6 +53,8 @@ struct worlds_answer {
   char values[WORLDS_LONG];  /* "effect:target parameter value sigma", joined by " + " */
   double probability;        /* stated for the truth [1]; NaN: none is */
   char half[32];             /* of the model, that is most probably wrong; "": none is said */
+  char stated[WORLDS_LONG];  /* every probability that is stated: "albedo_level 0.93", joined by
+                                " + " */
   double seconds;            /* processor time */
   char note[WORLDS_LONG];
 };
@@ -115,6 +117,18 @@ enum um_status worlds_diagnose(struct um_context *context, const struct worlds_o
                                const struct worlds_world *world);
 #define WORLDS_PROGRAM "umbra"
 #define WORLDS_OPEN    "umbra-open" /* with the open set */
+
+/* worlds_reliability.c: of statements with a probability in a bin, how many are true. Statements
+ * about worlds that `also` has are left out: both names are true there, or neither. */
+#define WORLDS_BINS 6
+struct worlds_reliability {
+  size_t count[WORLDS_BINS], right[WORLDS_BINS];
+  double sum[WORLDS_BINS]; /* of the probabilities */
+};
+void worlds_reliability_add(const struct worlds_world *world, const struct worlds_answer *answer,
+                            struct worlds_reliability *out);
+/* As a table; nothing where nothing was stated. */
+void worlds_reliability_print(const struct worlds_reliability *reliability);
 
 /* worlds_open.c: names of the effects that are hidden or look like it, without targets, each once:
  * [*count] of text. */

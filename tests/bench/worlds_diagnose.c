@@ -9,6 +9,7 @@
 #include "tests/bench/worlds.h"
 
 #define WORDS 12
+#define LEAST 0.01 /* probability that is kept */
 
 /* Parts a list joined by '+' in place. */
 static size_t split(char *text, const char *word[WORDS])
@@ -117,6 +118,22 @@ static void describe_probability(const struct um_diagnosis *d, const struct worl
     a->probability = sum / n;
 }
 
+/* Of steps that stayed, each probability that is worth a word. */
+static void describe_stated(const struct um_diagnosis *d, struct worlds_answer *a)
+{
+  for (size_t s = 0; s < d->nstep; s++) {
+    const struct um_diagnosis_step *step = &d->step[s];
+    for (size_t i = 0; i < step->nalternative && !step->removed; i++) {
+      const struct um_diagnosis_alternative *r = &step->alternative[i];
+      char text[2 * WORLDS_TEXT];
+      if (!(r->probability >= LEAST)) continue;
+      snprintf(text, sizeof text, "%s %.6f", d->candidates->candidate[r->candidate].name,
+               r->probability);
+      worlds_append(a->stated, sizeof a->stated, " + ", text);
+    }
+  }
+}
+
 static void describe_half(const struct um_diagnosis *d, struct worlds_answer *a)
 {
   size_t most = 0;
@@ -163,6 +180,7 @@ static enum um_status ask(struct um_context *context, struct um_sensitivity_forw
   describe_pulse(d, a);
   describe_probability(d, world, a);
   describe_half(d, a);
+  describe_stated(d, a);
   um_diagnosis_destroy(context, &d);
   return UM_OK;
 }

@@ -8,7 +8,9 @@
 static const char *const columns[] = {"world",  "method",      "verdict", "certain", "groups",
                                       "values", "probability", "seconds", "note"};
 #define NCOLUMN (sizeof columns / sizeof columns[0])
-#define HALF    "half" /* a column that other programs need not have */
+/* Columns that other programs need not have. */
+#define HALF   "half"
+#define STATED "stated"
 
 void worlds_append(char *list, size_t size, const char *between, const char *text)
 {
@@ -19,7 +21,7 @@ void worlds_append(char *list, size_t size, const char *between, const char *tex
 static void row_of(const struct um_core_csv *csv, size_t i, const size_t *column,
                    struct worlds_answer *a)
 {
-  size_t half = um_core_csv_find(csv, HALF);
+  size_t half = um_core_csv_find(csv, HALF), stated = um_core_csv_find(csv, STATED);
   const struct {
     char *to;
     size_t size;
@@ -40,6 +42,8 @@ static void row_of(const struct um_core_csv *csv, size_t i, const size_t *column
     if (!um_core_number_parse(um_core_csv_text(csv, i, column[6 + c]), number[c])) *number[c] = NAN;
   if (half < um_core_csv_columns(csv))
     snprintf(a->half, sizeof a->half, "%s", um_core_csv_text(csv, i, half));
+  if (stated < um_core_csv_columns(csv))
+    snprintf(a->stated, sizeof a->stated, "%s", um_core_csv_text(csv, i, stated));
 }
 
 enum um_status worlds_journal_read(struct um_context *context, const char *path,
@@ -66,7 +70,7 @@ bool worlds_journal_append(const char *path, const struct worlds_answer *a)
   if (file == NULL) return false;
   if (fseek(file, 0, SEEK_END) == 0 && ftell(file) == 0)
     for (size_t c = 0; c < NCOLUMN; c++)
-      fprintf(file, "%s%s", columns[c], c + 1 < NCOLUMN ? "," : "," HALF "\n");
+      fprintf(file, "%s%s", columns[c], c + 1 < NCOLUMN ? "," : "," HALF "," STATED "\n");
   um_core_csv_put(file, a->world, "");
   um_core_csv_put_text(file, a->method, "");
   um_core_csv_put_text(file, a->verdict, "");
@@ -77,6 +81,7 @@ bool worlds_journal_append(const char *path, const struct worlds_answer *a)
   um_core_csv_put_number(file, a->seconds);
   um_core_csv_put_text(file, a->note, "");
   um_core_csv_put_text(file, a->half, "");
+  um_core_csv_put_text(file, a->stated, "");
   fputc('\n', file);
   bool written = ferror(file) == 0;
   return fclose(file) == 0 && written;

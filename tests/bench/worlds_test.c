@@ -168,6 +168,23 @@ static void test_discrepancy(void **state)
   um_core_context_destroy(&context);
 }
 
+static void test_reliability(void **state)
+{
+  struct worlds_reliability r = {.count = {0}};
+  struct worlds_world world = {.nhidden = 1, .hidden = {{.names = "internal_power:bus*"}}};
+  struct worlds_answer a = answer("not_identifiable", "", "", "");
+  (void)state;
+  strcpy(a.stated, "internal_power:bus 0.950000 + albedo_level 0.050000");
+  worlds_reliability_add(&world, &a, &r);
+  strcpy(a.stated, "albedo_level 0.920000");
+  worlds_reliability_add(&world, &a, &r);
+  assert_int_equal(r.count[0], 1);
+  assert_int_equal(r.right[0], 0);
+  assert_int_equal(r.count[4], 2);
+  assert_int_equal(r.right[4], 1);
+  assert_close(r.sum[4], 1.87, 1e-12);
+}
+
 /* Taken out are effects, once each, on every target; a pulse of heat is in no catalogue. */
 static void test_open_set(void **state)
 {
@@ -201,6 +218,7 @@ int main(void)
       cmocka_unit_test(test_one_of_a_group), cmocka_unit_test(test_false_beside_true),
       cmocka_unit_test(test_missed),         cmocka_unit_test(test_nothing),
       cmocka_unit_test(test_unexplained),    cmocka_unit_test(test_two_and_stated),
-      cmocka_unit_test(test_discrepancy),    cmocka_unit_test(test_open_set)};
+      cmocka_unit_test(test_discrepancy),    cmocka_unit_test(test_open_set),
+      cmocka_unit_test(test_reliability)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
