@@ -53,6 +53,9 @@
 /* Times sigma [1] that measurements may scatter. HAND: who states a third of his noise does not
  * know it. */
 #define UM_DIAGNOSIS_LARGE_SCALE 3.0
+/* Share of a channel's rows [1] that may be set aside as outliers. HAND: one of twenty; glints of a
+ * blanket that a model without creases lacks were 6 % (w43). */
+#define UM_DIAGNOSIS_LARGE_OUTLIERS 0.05
 
 /* ---- one effect against another ---- */
 

@@ -41,8 +41,19 @@ static bool is_large(const struct um_diagnosis *d, const struct um_diagnosis_sca
          (heat ? s->rms > UM_DIAGNOSIS_LARGE_TEMPERATURE : s->share > UM_DIAGNOSIS_LARGE_LIGHT);
 }
 
+/* Whether so many rows of a channel were set aside that they are no accidents. */
+static bool are_outliers_many(const struct um_diagnosis *d, size_t channel)
+{
+  const struct um_compare_measurements *m = d->forward->measurements;
+  size_t n = 0;
+  for (size_t i = 0; i < d->noutlier; i++) n += m->row[d->outlier[i]].channel == channel;
+  return (double)n > UM_DIAGNOSIS_LARGE_OUTLIERS * (double)m->channel[channel].count;
+}
+
 bool um_diagnosis_discrepancy_is_large(const struct um_diagnosis *d)
 {
+  for (size_t c = 0; d->noutlier > 0 && c < d->forward->measurements->nchannel; c++)
+    if (are_outliers_many(d, c)) return true;
   for (size_t i = 0; i < d->nscatter; i++)
     if (is_large(d, &d->scatter[i])) return true;
   return false;

@@ -12,7 +12,7 @@
 
 #define WORLDS_TEXT   256
 #define WORLDS_LONG   8192
-#define WORLDS_HIDDEN 4
+#define WORLDS_HIDDEN 8
 #define WORLDS_VALUES 4
 
 /* An effect that the truth has and the scenario lacks. */

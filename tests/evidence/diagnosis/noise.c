@@ -58,6 +58,21 @@ static void test_spikes(void **state)
   end(&c);
 }
 
+/* One row in seventeen is far off, either way: that is no accident of the detector. */
+static void often_off(struct um_compare_measurements *m)
+{
+  for (size_t i = 5; i < m->count; i += 17)
+    m->row[i].value += (i % 4 < 2 ? 30.0 : -30.0) * m->row[i].sigma;
+}
+
+static void test_too_many_spikes(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){.only = looked_for, .spoil = often_off});
+  assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
+  end(&c);
+}
+
 /* LWIR is off along a wave. */
 static void add_wave(struct um_compare_measurements *m, double sigmas, double period)
 {
@@ -167,12 +182,10 @@ static void test_fit(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_understated),
-                                     cmocka_unit_test(test_spikes),
-                                     cmocka_unit_test(test_discrepancy),
-                                     cmocka_unit_test(test_resembling),
-                                     cmocka_unit_test(test_effect_beside_it),
-                                     cmocka_unit_test(test_white),
-                                     cmocka_unit_test(test_fit)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_understated),     cmocka_unit_test(test_spikes),
+      cmocka_unit_test(test_too_many_spikes), cmocka_unit_test(test_discrepancy),
+      cmocka_unit_test(test_resembling),      cmocka_unit_test(test_effect_beside_it),
+      cmocka_unit_test(test_white),           cmocka_unit_test(test_fit)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
