@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/core/constants.h"
+#include "evidence/measurements/join.h"
 #include "evidence/measurements/make.h"
 #include "evidence/measurements/measurements.h"
 #include "orbit/time_form.h"
@@ -85,6 +86,43 @@ enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbr
   UM_CHECK(um_library_measurements_take(context, umbra, &set, out));
 done:
   um_core_free(context, row);
+  um_compare_measurements_destroy(context, &set);
+  return um_library_status(status);
+}
+
+/* The parts are only read; their type has no const, as of an array of pointers. */
+static enum um_status join(struct um_context *context, const struct umbra_measurements *const *part,
+                           const char *const *name, size_t n, struct um_compare_measurements **out)
+{
+  enum um_status status;
+  struct um_compare_measurements **set = NULL;
+  *out = NULL;
+  if (n == 0)
+    return um_core_fail(context, UM_ERR_INPUT, "no measurements to join; accepted: one and more");
+  UM_TRY(um_core_allocate(context, n, sizeof(*set), (void **)&set));
+  for (size_t i = 0; i < n; i++) {
+    if (part[i]->set->nfile > 1)
+      UM_CHECK(um_core_fail(context, UM_ERR_INPUT,
+                            "measurements %zu are several sets already; accepted: one set each",
+                            i + 1));
+    set[i] = part[i]->set;
+  }
+  status = um_compare_measurements_join(context, set, name, n, out);
+done:
+  um_core_free(context, (void *)set);
+  return status;
+}
+
+enum umbra_status umbra_measurements_join(struct umbra *umbra,
+                                          const struct umbra_measurements *const *part,
+                                          const char *const *name, size_t n,
+                                          struct umbra_measurements **out)
+{
+  struct um_context *context = um_library_begin(umbra);
+  struct um_compare_measurements *set = NULL;
+  *out = NULL;
+  enum um_status status = join(context, part, name, n, &set);
+  if (status == UM_OK) status = um_library_measurements_take(context, umbra, &set, out);
   um_compare_measurements_destroy(context, &set);
   return um_library_status(status);
 }

@@ -350,6 +350,15 @@ struct umbra_columns {
 /* Measurements from arrays, which are copied. UMBRA_ERR_INPUT with the row, counted from 1. */
 enum umbra_status umbra_measurements_make(struct umbra *umbra, const struct umbra_columns *columns,
                                           struct umbra_measurements **out);
+/* Several measurements [n] as one, each a set: a night, a telescope. Effects on clock, exposure and
+ * reading are then a matter of each set, "zero_point:vis@night1" (docs/diagnosis.md). name: [n] of
+ * the sets, or NULL and NULL among them for those of their files. The parts stay as they are.
+ * UMBRA_ERR_INPUT: no part, one that was joined itself, a name that is there twice, parts with and
+ * without geometry of their own. */
+enum umbra_status umbra_measurements_join(struct umbra *umbra,
+                                          const struct umbra_measurements *const *part,
+                                          const char *const *name, size_t n,
+                                          struct umbra_measurements **out);
 /* Their columns, in the order of rows; those that no row has are NULL. Borrowed from the
  * measurements. UMBRA_ERR_MEMORY. */
 enum umbra_status umbra_measurements_columns(struct umbra *umbra,
@@ -460,6 +469,13 @@ struct umbra_finding {
   size_t nalternative;
 };
 
+/* A half of the model: "heat", "surface", "geometry_attitude", "earth_shadow", "air", "instrument".
+ */
+struct umbra_half {
+  const char *name;
+  double probability; /* that it is what is wrong; NaN: nothing is. They sum to 1. */
+};
+
 struct umbra_verdict {
   enum umbra_verdict_kind kind; /* of a fit: how the rest looks */
   const char *sentence;         /* for a person */
@@ -468,6 +484,11 @@ struct umbra_verdict {
   size_t nfinding;
   const struct umbra_finding *nuisance; /* [nnuisance] what was uncertain anyway, as fitted */
   size_t nnuisance;
+  /* of what is missing, NaN of a fit; they sum to 1: nothing, one effect of the catalogue, several,
+   * something that the catalogue has not */
+  double probability_nothing, probability_one, probability_several, probability_none;
+  const struct umbra_half *half; /* [nhalf]; of a fit nhalf is 0 */
+  size_t nhalf;
   const char *next; /* the measurement that would tell most; NULL: nothing is ambiguous, or
                        nothing that the scenario has would */
 };

@@ -103,6 +103,26 @@ static enum um_status list_nuisances(struct um_context *context, struct um_libra
   return UM_OK;
 }
 
+/* Of a diagnosis: probabilities of what is missing, and of which half is wrong. */
+static enum um_status list_probabilities(struct um_context *context,
+                                         struct um_library_diagnosis *work,
+                                         struct umbra_verdict *to)
+{
+  const struct um_diagnosis *d = work->diagnosis;
+  struct umbra_half *half;
+  if (work->candidates == NULL) return UM_OK;
+  UM_TRY(um_core_arena_allocate(context, &work->memory, UM_HALVES, sizeof *half, &half));
+  for (size_t h = 0; h < UM_HALVES; h++)
+    half[h] = (struct umbra_half){um_effects_half_name((enum um_effects_half)h), d->half[h]};
+  to->half = half;
+  to->nhalf = UM_HALVES;
+  to->probability_nothing = d->probability.nothing;
+  to->probability_one = d->probability.one;
+  to->probability_several = d->probability.several;
+  to->probability_none = d->probability.none;
+  return UM_OK;
+}
+
 enum um_status um_library_verdict(struct um_context *context, struct um_library_diagnosis *work)
 {
   const struct um_diagnosis *d = work->diagnosis;
@@ -114,7 +134,12 @@ enum um_status um_library_verdict(struct um_context *context, struct um_library_
                                          .dof_after = d->dof_after,
                                          .nfinding = d->naddition,
                                          .nnuisance = d->nnuisance,
+                                         .probability_nothing = NAN,
+                                         .probability_one = NAN,
+                                         .probability_several = NAN,
+                                         .probability_none = NAN,
                                          .next = d->next == NULL ? NULL : d->next->what};
+  UM_TRY(list_probabilities(context, work, &work->verdict));
   UM_TRY(list_findings(context, work, &work->verdict.finding));
   return list_nuisances(context, work, &work->verdict.nuisance);
 }

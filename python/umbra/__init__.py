@@ -18,7 +18,7 @@ from ._c import numbers as _numbers
 from ._c import text as _text
 from ._effects import Effect, effects
 from ._keys import find_scenario, keys, materials, scenarios, sensors
-from ._measurements import Measurements, read_measurements, synth
+from ._measurements import Measurements, join, read_measurements, synth
 from ._points import Forecast, forecast, study
 from ._result import Citation, Comparison, Diagnosis, Result, Sensitivity, cite
 from ._scenario import Scenario

@@ -102,6 +102,20 @@ def read_measurements(path, *, session=None):
     return Measurements(session=session, _handle=session.make("measurements_read", "measurements", memory.text(path)))
 
 
+def join(measurements, *, session=None):
+    """Several measurements as one, each a set: a night, a telescope. A dict says what the sets are called; those of a
+    list are called as their files. Effects on clock, exposure and reading are then a matter of each set,
+    "zero_point:vis@night1" (docs/diagnosis.md)."""
+    named = isinstance(measurements, dict)
+    parts = list(measurements.values() if named else measurements)
+    memory = Memory()
+    session = session or (parts[0]._session if parts else _session.default())
+    pointers = memory.new("struct umbra_measurements *[]", [part._handle.pointer for part in parts])
+    names = memory.texts(list(measurements)) if named else ffi.NULL
+    return Measurements(session=session,
+                        _handle=session.make("measurements_join", "measurements", pointers, names, len(parts)))
+
+
 def synth(scenario, noise, *, floor=0.001, seed=0, temperatures=(), temperature_sigma=0.0, grey_body=False):
     """Measurements made of a scenario as it stands, with Gaussian noise.
 

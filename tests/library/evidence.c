@@ -288,6 +288,42 @@ static void test_diagnose(void **state)
   umbra_result_close(&result);
 }
 
+/* Two sets: a calibration is one of each. */
+static void test_sets(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"emittance", "zero_point"};
+  static const char *const names[] = {"one", "one", "two"};
+  struct umbra_diagnose_settings settings = UMBRA_DIAGNOSE_SETTINGS;
+  const struct umbra_measurements *part[] = {measured, measured};
+  struct umbra_measurements *both;
+  struct umbra_result *result;
+  double sum = 0.0;
+  refused(umbra_measurements_join(umbra, part, names, 0, &both), UMBRA_ERR_INPUT, "one and more");
+  refused(umbra_measurements_join(umbra, part, names, 2, &both), UMBRA_ERR_INPUT, "'one'");
+  assert_null(both);
+  ok(umbra_measurements_join(umbra, part, names + 1, 2, &both));
+  part[1] = both;
+  struct umbra_measurements *more;
+  refused(umbra_measurements_join(umbra, part, NULL, 2, &more), UMBRA_ERR_INPUT,
+          "measurements 2 are several");
+  settings.only = only;
+  settings.nonly = 2;
+  ok(umbra_diagnose(umbra, scenario, both, &settings, &result));
+  const struct umbra_verdict *v = umbra_result_verdict(result);
+  assert_string_equal(v->finding[0].effect, "emittance");
+  assert_int_equal(umbra_result_array(result, "before")->shape[0], 2 * 93);
+  assert_true(v->probability_one > 0.9 && v->nhalf == 6);
+  assert_string_equal(v->half[1].name, "surface");
+  assert_true(v->half[1].probability > 0.9);
+  for (size_t h = 0; h < v->nhalf; h++) sum += v->half[h].probability;
+  assert_close(sum, 1.0, 1e-9);
+  sum = v->probability_nothing + v->probability_one + v->probability_several + v->probability_none;
+  assert_close(sum, 1.0, 1e-9);
+  umbra_result_close(&result);
+  umbra_measurements_close(&both);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -297,6 +333,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_geometry_of_arrays, enter, leave),
       cmocka_unit_test_setup_teardown(test_fit, enter, leave),
       cmocka_unit_test_setup_teardown(test_diagnose, enter, leave),
+      cmocka_unit_test_setup_teardown(test_sets, enter, leave),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -263,6 +263,23 @@ class Evidence(unittest.TestCase):
         self.assertIs(found.verdict.kind, umbra.VerdictKind.FOUND)
         self.assertEqual(found.verdict.finding[0].effect, "emittance")
 
+    def test_sets(self):
+        table = self.measured.to_pandas()
+        early = table["time"] < table["time"].median()
+        parts = [umbra.Measurements(table[early]), umbra.Measurements(table[~early])]
+        both = umbra.join({"early": parts[0], "late": parts[1]})
+        self.assertEqual(len(both), len(table))
+        found = box().diagnose(both, only=["emittance", "zero_point"])
+        self.assertEqual(found.verdict.finding[0].effect, "emittance")
+        half = {h.name: h.probability for h in found.verdict.half}
+        self.assertAlmostEqual(sum(half.values()), 1.0)
+        self.assertGreater(half["surface"], 0.9)
+        self.assertGreater(found.verdict.probability_one, 0.9)
+        with self.assertRaises(umbra.InputError):
+            umbra.join({"a": both, "b": parts[0]})
+        with self.assertRaises(umbra.InputError):
+            umbra.join([])
+
     def test_sensitivity(self):
         found = box().sensitivity(only=["emittance"])
         name = found.parameters.index[0]
