@@ -39,6 +39,7 @@ enum um_status um_app_draft_write(struct um_context *context, const struct um_di
   }
   UM_TRY(um_diagnosis_report_draft_write(context, diagnosis, options->draft_effect,
                                          options->command, UM_APP_VERSION));
-  um_core_log(context, UM_LOG_INFO, "%s: %s", options->draft_effect, text);
+  um_core_log(context, UM_LOG_INFO, "%s: %s; its first lines say how to compile and add it",
+              options->draft_effect, text);
   return UM_OK;
 }

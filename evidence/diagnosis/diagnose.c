@@ -120,101 +120,6 @@ static enum um_status look_at_residual(struct um_context *context,
   return status;
 }
 
-/* Look for missing heat in the residual of a state. */
-static enum um_status look_for_heat(struct um_context *context,
-                                    const struct um_diagnosis_work *work,
-                                    const struct um_diagnosis_state *state,
-                                    struct um_missing_heat_unexplained **out)
-{
-  struct um_model_addition *addition = NULL;
-  UM_TRY(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
-  um_diagnosis_state_additions(state, addition);
-  enum um_status status = um_missing_heat_unexplained_create(
-      context, work->forward, addition, state->nblock, state->fit->value, state->fit->jacobian,
-      state->nparameter, out);
-  um_core_free(context, addition);
-  return status;
-}
-
-/* The effects that were added give way to what is in no catalogue. */
-static enum um_status drop_effects(struct um_context *context, const struct um_diagnosis_work *work,
-                                   struct um_diagnosis_state *state,
-                                   const struct um_diagnosis_state *bare, struct um_diagnosis *d)
-{
-  if (d->naddition == 0) return UM_OK;
-  um_diagnosis_steps_clear(context, d);
-  um_diagnosis_state_release(context, state);
-  UM_TRY(um_diagnosis_state_copy(context, bare, bare->nblock, state));
-  UM_TRY(um_diagnosis_state_fit(context, work, state, bare->fit->value, NULL, INFINITY));
-  return um_diagnosis_keep_end(context, work, state, d);
-}
-
-/* The effects that were added may only mimic heat. So the BIC of the scenario with the best heat,
- * which has the parameters of its shape, is compared with that of the scenario with the effects. */
-static enum um_status weigh_heat(struct um_context *context, const struct um_diagnosis_work *work,
-                                 struct um_diagnosis_state *state,
-                                 const struct um_diagnosis_state *bare, struct um_diagnosis *d)
-{
-  struct um_missing_heat_unexplained *heat = NULL;
-  if (work->options->no_heat) return UM_OK;
-  UM_TRY(look_for_heat(context, work, bare, &heat));
-  bool explained = d->verdict != UM_VERDICT_UNEXPLAINED; /* with a discrepancy */
-  bool better = heat->nheat > 0 && um_diagnosis_pulse_bic(heat, bare->fit) <
-                                       state->fit->bic - (explained ? UM_DIAGNOSIS_EVIDENCE : 0.0);
-  if ((d->naddition > 0 || explained) && !better) {
-    um_missing_heat_unexplained_destroy(context, &heat);
-    return explained ? UM_OK : look_for_heat(context, work, state, &d->unexplained);
-  }
-  d->unexplained = heat;
-  d->verdict = UM_VERDICT_UNEXPLAINED;
-  if (better) d->nscatter = d->noutlier = 0; /* of what the heat is in place of */
-  return drop_effects(context, work, state, bare, d);
-}
-
-static enum um_status look_for_light(struct um_context *context,
-                                     const struct um_diagnosis_work *work,
-                                     const struct um_diagnosis_state *state,
-                                     struct um_missing_light *out)
-{
-  struct um_model_addition *addition = NULL;
-  UM_TRY(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
-  um_diagnosis_state_additions(state, addition);
-  enum um_status status =
-      um_missing_light_find(context, work->forward, addition, state->nblock, state->fit->value,
-                            state->fit->jacobian, state->nparameter, out);
-  um_core_free(context, addition);
-  return status;
-}
-
-/* Light of an unexplained residual: of the scenario as it is where it does better so than with the
- * effects that were added, which then only mimicked it; else of what they leave. */
-static enum um_status weigh_light(struct um_context *context, const struct um_diagnosis_work *work,
-                                  struct um_diagnosis_state *state,
-                                  const struct um_diagnosis_state *bare, struct um_diagnosis *d)
-{
-  if (work->options->no_light || d->verdict != UM_VERDICT_UNEXPLAINED) return UM_OK;
-  UM_TRY(look_for_light(context, work, bare, &d->light));
-  if (d->naddition == 0) return UM_OK;
-  double with_effects = um_diagnosis_gain(d, bare, state->fit->bic);
-  if (!(d->light.any && d->light.worth > with_effects + UM_DIAGNOSIS_EVIDENCE))
-    return look_for_light(context, work, state, &d->light);
-  if (!work->options->no_heat) {
-    um_missing_heat_unexplained_destroy(context, &d->unexplained);
-    UM_TRY(look_for_heat(context, work, bare, &d->unexplained));
-  }
-  return drop_effects(context, work, state, bare, d);
-}
-
-/* What a draft is made of: heat and light of the scenario as it is. */
-static enum um_status look_as_asked(struct um_context *context,
-                                    const struct um_diagnosis_work *work,
-                                    const struct um_diagnosis_state *bare, struct um_diagnosis *d)
-{
-  if (!work->options->draft) return UM_OK;
-  UM_TRY(look_for_light(context, work, bare, &d->light_asked));
-  return look_for_heat(context, work, bare, &d->heat_asked);
-}
-
 /* The search, with the noise of the work. bare: the scenario with its nuisances. */
 static enum um_status search(struct um_context *context, const struct um_diagnosis_work *work,
                              struct um_diagnosis_state *state, struct um_diagnosis_state *bare,
@@ -314,9 +219,9 @@ static enum um_status conclude(struct um_context *context, const struct um_diagn
   UM_TRY(um_diagnosis_scatter_describe(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED || d->weighed)
-    UM_TRY(weigh_heat(context, work, state, bare, d));
-  UM_TRY(weigh_light(context, work, state, bare, d));
-  UM_TRY(look_as_asked(context, work, bare, d));
+    UM_TRY(um_diagnosis_weigh_heat(context, work, state, bare, d));
+  UM_TRY(um_diagnosis_weigh_light(context, work, state, bare, d));
+  UM_TRY(um_diagnosis_look_as_asked(context, work, bare, d));
   um_diagnosis_halves_assign(bare, d);
   um_diagnosis_confidence_assign(d);
   um_diagnosis_probabilities_assign(bare, d);

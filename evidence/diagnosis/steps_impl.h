@@ -174,6 +174,29 @@ void um_diagnosis_superseded_keep(const struct um_diagnosis_state *state, struct
 /* BIC of a fitted state with the best missing heat added, each number of its shape counted. */
 double um_diagnosis_pulse_bic(const struct um_missing_heat_unexplained *heat,
                               const struct um_inference_fit *fit);
+/* The same with the best correction of light, and the noise that it leaves. */
+double um_diagnosis_light_bic(const struct um_missing_light *light,
+                              const struct um_inference_fit *fit);
+/* Heat in place of the effects that were added, or of a discrepancy, where it does better; else, of
+ * an unexplained residual, heat beside them. bare: the scenario with its nuisances. d: its verdict
+ * is judged; where it becomes unexplained state and d end without effects. */
+enum um_status um_diagnosis_weigh_heat(struct um_context *context,
+                                       const struct um_diagnosis_work *work,
+                                       struct um_diagnosis_state *state,
+                                       const struct um_diagnosis_state *bare,
+                                       struct um_diagnosis *d);
+/* The same of light, after heat: also where a discrepancy of light above UM_DIAGNOSIS_LARGE_SIGMAS
+ * was called one and light that explains all does better. */
+enum um_status um_diagnosis_weigh_light(struct um_context *context,
+                                        const struct um_diagnosis_work *work,
+                                        struct um_diagnosis_state *state,
+                                        const struct um_diagnosis_state *bare,
+                                        struct um_diagnosis *d);
+/* What a draft is made of, where one is asked for: heat and light of the scenario as it is. */
+enum um_status um_diagnosis_look_as_asked(struct um_context *context,
+                                          const struct um_diagnosis_work *work,
+                                          const struct um_diagnosis_state *bare,
+                                          struct um_diagnosis *d);
 /* By how much an explanation of that BIC is better than the scenario with its nuisances alone
  * (bare), comparable with the worth of missing light: where no noise was estimated, over the
  * reduced chi-square that is left. */

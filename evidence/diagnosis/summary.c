@@ -202,7 +202,8 @@ static size_t say_unexplained(struct um_diagnosis_words *text, const struct um_d
                         : "The effects of the catalogue do not explain all of it.");
   more = say_classes(text, d, "Certain all the same: ", "Certain, too: ", left);
   add_residual(text, d);
-  add_heat(text, d->unexplained);
+  bool heats = d->unexplained != NULL && d->unexplained->found;
+  if (heats || !d->light.found) add_heat(text, d->unexplained); /* light explains all of it */
   um_diagnosis_light_text(d, light);
   um_diagnosis_half_text(d, half);
   add(text, "%s%s", light, half);

@@ -51,6 +51,14 @@ static void put_folder(FILE *file, const char *folder, const char *behind)
   fputc('\n', file);
 }
 
+/* Is what explains all in no catalogue, and not written as an effect yet? */
+static bool wants_draft(const struct um_diagnosis *d)
+{
+  bool heat = d->unexplained != NULL && d->unexplained->found;
+  bool asked = d->light_asked.any || d->heat_asked != NULL;
+  return d->verdict == UM_VERDICT_UNEXPLAINED && !d->chosen && !asked && (heat || d->light.found);
+}
+
 void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diagnosis,
                                      const char *command, const char *folder)
 {
@@ -62,6 +70,13 @@ void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diag
     fputs(" --exclude ", file);
     um_core_text_put_word(file, leader);
     put_folder(file, folder, "without");
+    return;
+  }
+  if (command != NULL && wants_draft(d)) {
+    fputs("To have it as an effect of your own, type: ", file);
+    um_core_text_put(file, command);
+    fputs(" --draft-effect mine.c", file);
+    put_folder(file, folder, "draft");
     return;
   }
   static const struct {

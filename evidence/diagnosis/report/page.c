@@ -86,7 +86,8 @@ static enum um_status how_far(struct work *w)
   const struct um_diagnosis *d = w->d;
   um_page_section(w->page, "far", "How far off was the model, and where?", UM_PAGE_PLAIN);
   um_compare_page_put_chi2(w->page, "Before", d->chi2, d->dof);
-  um_compare_page_put_chi2(w->page, "After", d->chi2_after, d->dof_after);
+  if (d->naddition + d->nnuisance > 0)
+    um_compare_page_put_chi2(w->page, "After", d->chi2_after, d->dof_after);
   if (d->residual.channel != NULL)
     um_page_text(w->page, "Worst in %s: %+.2g sigma on average%s%s.", d->residual.channel,
                  d->residual.mean,
@@ -266,6 +267,7 @@ static enum um_status believe(struct work *w)
 static void remains(struct work *w)
 {
   const struct um_diagnosis *d = w->d;
+  char light[UM_MISSING_LIGHT_TEXT];
   bool white = d->verdict != UM_VERDICT_UNEXPLAINED && !d->allowance;
   um_page_section(w->page, "remains", "What remains?", white ? UM_PAGE_GOOD : UM_PAGE_WARNING);
   um_compare_page_put_chi2(w->page, "After", d->chi2_after, d->dof_after);
@@ -274,6 +276,9 @@ static void remains(struct work *w)
     um_page_text(w->page, "Worst in %s%s%s.", d->unexplained->channel,
                  d->unexplained->coordinate != NULL ? ", where it goes with " : "",
                  d->unexplained->coordinate != NULL ? d->unexplained->coordinate : "");
+  if (!d->light.found) return;
+  um_missing_light_text(&d->light, light);
+  um_page_text(w->page, "A correction of light explains it: %s.", light);
 }
 
 static enum um_status next(struct work *w)

@@ -199,10 +199,29 @@ static void test_unexplained(void **state)
   has(brief, "measured 2 sigma below it on average");
   says(brief, "residual correlates with the sunlight on grey_white. Missing heat explains it: 4400 "
               "+- 300 J");
-  has(brief, "\nTo see where it is off, type: umbra compare 'out/my pass/improved' m.csv --out "
-             "'out/my pass-after'\n");
+  /* what explains all is worth an effect of its own */
+  says(brief, "To have it as an effect of your own, type: " COMMAND
+              " --draft-effect mine.c --out 'out/my pass-draft'");
   has_not(brief, "internal_power");
   um_core_free(context, brief);
+  d.light_asked.any = true; /* it is drafted */
+  brief = brief_of(&d);
+  has(brief, "\nTo see where it is off, type: umbra compare 'out/my pass/improved' m.csv --out "
+             "'out/my pass-after'\n");
+  um_core_free(context, brief);
+  d.light_asked.any = false;
+  struct um_missing_heat_unexplained part = w.unexplained;
+  part.found = false;
+  d.unexplained = &part; /* light explains all, heat a part */
+  d.light = (struct um_missing_light){
+      .any = true, .found = true, .worth = 100.0, .nband = 1, .band = {"vis"}, .nvalue = 1};
+  brief = brief_of(&d);
+  has(brief, "A correction of light explains");
+  has_not(brief, "Missing heat");
+  says(brief, "To have it as an effect of your own, type: ");
+  um_core_free(context, brief);
+  d.light.any = d.light.found = false;
+  d.unexplained = &w.unexplained;
   w.step[0].confidence = UM_CONFIDENCE_CERTAIN;
   d.chosen = true;
   brief = brief_of(&d);

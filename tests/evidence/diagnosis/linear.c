@@ -215,9 +215,23 @@ static void heat_costs_the_numbers_of_its_shape(void **state)
   assert_true(fabs(um_diagnosis_pulse_bic(&heat, &fit) - 71.5 - 2.0 * 4.499810) <= 1e-5);
 }
 
+/* The same 90 observations and nuisances: 200 of chi-square, of which light is worth 100. White:
+ * 200 - 100 + 1.5 + 2 ln 90 = 110.499619. Where it leaves a reduced chi-square of 2 its worth is
+ * over that: 100 + 90 ln 2 - 100 + 1.5 + 3 ln 90 = 77.382675. */
+static void light_costs_the_noise_that_it_leaves(void **state)
+{
+  (void)state;
+  struct um_missing_light light = {.chi2_before = 200.0, .worth = 100.0, .scale = 1.0};
+  const struct um_inference_fit fit = {.nobservation = 90, .nparameter = 2, .chi2_prior = 1.5};
+  assert_true(fabs(um_diagnosis_light_bic(&light, &fit) - 110.499619) <= 1e-6);
+  light.scale = 2.0;
+  assert_true(fabs(um_diagnosis_light_bic(&light, &fit) - 77.382675) <= 1e-5);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(light_costs_the_noise_that_it_leaves),
       cmocka_unit_test(residual_at_the_means_of_priors),
       cmocka_unit_test(beyond_three_prior_widths_is_implausible),
       cmocka_unit_test(tied_within_ten_of_bic),

@@ -17,6 +17,7 @@ struct lists {
   double from, to;     /* rows left in [s since the start]; both 0: all */
   size_t alternatives; /* fitted in a round; 0: as many as usual */
   void (*spoil)(struct um_compare_measurements *); /* what measurements have beside noise */
+  bool no_light;                                   /* is not looked for */
   double model; /* sampling error of the model, of the measurement's sigma */
 };
 
@@ -62,7 +63,8 @@ static inline struct diagnosed diagnose(const struct lists *lists)
   const struct um_diagnosis_options options = {
       .candidates = {.only = lists->only, .nonly = count(lists->only)},
       .alternatives = lists->alternatives,
-      .no_heat = true};
+      .no_heat = true,
+      .no_light = lists->no_light};
   measure(lists, &c.measured);
   OK(um_sensitivity_forward_create(context, path, &c.options, c.measured, UM_VARIANT_TIGHT,
                                    &c.forward));
