@@ -79,6 +79,10 @@ struct um_effect_parameter {
   /* Said by the user, never fitted, and no column of any signature: what only numbers one of many
    * equal possibilities, or steps. Behind all others. */
   bool chosen;
+  /* Where in its cycle something is when the run begins, 0 to 1; at its null value it is not
+   * stated. Nobody knows it, so a diagnosis frees it where that is worth its ln n in BIC. One that
+   * is chosen, too. */
+  bool is_phase;
   const char *prior; /* where the width comes from, a few words; NULL: not said */
   /* Says by um_effect_state which number of the scenario the parameter changes; a diagnosis reports
    * the whole and keeps it physical. NULL, or nothing said: there is none. */

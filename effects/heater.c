@@ -80,6 +80,7 @@ static const struct um_effect_parameter parameters[] = {
      .maximum = 1.0,
      .prior_sigma = INFINITY,
      .chosen = true,
+     .is_phase = true,
      .prior = "any: nobody knows when it last switched"},
 };
 
@@ -90,7 +91,8 @@ const struct um_effect um_effects_heater = {
     .reference = "Gilmore 2002, Spacecraft Thermal Control Handbook I, ch. 7",
     .validity = "walls and interiors that store heat; a side of two layers is the layer of that "
                 "name; sensed where it heats; in the orbit that repeats its mean power acts; a "
-                "phase needs a place that is within the band where the run begins",
+                "phase needs a place that is within the band, or less than its width above, where "
+                "the run begins",
     .separated_by = "heat_capacity and internal_power: the temperature stops falling at one value "
                     "whatever the heat load, and the light does not change while it is warmer; a "
                     "saw-tooth of minutes where sampling is dense",

@@ -9,6 +9,18 @@
 
 #define AT_ONCE 16 /* alternatives, at most */
 
+/* Where a fit began is half of where it ends, of a rough one: the best values are kept. */
+static void remember(const struct um_diagnosis_work *work, size_t candidate,
+                     const struct um_diagnosis_state *state)
+{
+  struct um_diagnosis_shape *shape = &work->shape[candidate];
+  if (!um_diagnosis_is_rough(&work->candidates->candidate[candidate]) ||
+      (shape->chi2 > 0.0 && shape->chi2 <= state->fit->chi2))
+    return;
+  shape->chi2 = state->fit->chi2;
+  memcpy(shape->value, state->block[state->nblock - 1].addition.value, sizeof shape->value);
+}
+
 /* What was found of an alternative; its state is kept where it is the best so far. */
 static enum um_status note(struct um_context *context, const struct um_diagnosis_work *work,
                            struct um_diagnosis_trial *trial,
@@ -18,6 +30,7 @@ static enum um_status note(struct um_context *context, const struct um_diagnosis
   const struct um_inference_fit *fit = trial->state.fit;
   alternative->refused = trial->refused;
   if (trial->refused) return UM_OK;
+  remember(work, alternative->candidate, &trial->state);
   alternative->fitted = true;
   alternative->converged = fit->converged;
   alternative->chi2 = fit->chi2;
@@ -175,6 +188,20 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
   return try_at_once(context, work, state, ahead, tied, n, best);
 }
 
+/* Those that an earlier search named. */
+static enum um_status try_named(struct um_context *context, const struct um_diagnosis_work *work,
+                                const struct um_diagnosis_state *state,
+                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
+{
+  struct um_diagnosis_alternative *named[AT_ONCE];
+  size_t n = 0;
+  for (size_t i = 0; i < step->nalternative && n < AT_ONCE; i++) {
+    struct um_diagnosis_alternative *r = &step->alternative[i];
+    if (work->shape[r->candidate].named && !r->fitted && !r->refused) named[n++] = r;
+  }
+  return try_at_once(context, work, state, best_fitted(step), named, n, best);
+}
+
 /* Alternatives [from, until): those without unidentified parameters first. */
 static enum um_status try_round(struct um_context *context, const struct um_diagnosis_work *work,
                                 const struct um_diagnosis_state *state, size_t from, size_t until,
@@ -213,6 +240,7 @@ enum um_status um_diagnosis_fit_alternatives(struct um_context *context,
                                              struct um_diagnosis_state *best)
 {
   UM_TRY(try_rounds(context, work, state, step, best));
+  UM_TRY(try_named(context, work, state, step, best));
   UM_TRY(try_ties(context, work, state, step, best));
   sort_fitted(step->alternative, step->nalternative);
   return UM_OK;

@@ -53,6 +53,7 @@ enum um_status um_diagnosis_depth_find(struct um_context *context,
     if (s == d->nstep || d->step[s].removed) continue;
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[d->step[s].candidate];
     parameters += c->is_switch ? 0 : c->ncolumn + c->nunidentified;
+    parameters += um_diagnosis_phase_is_free(c, &d->step[s].addition);
     effects++;
   }
 done:

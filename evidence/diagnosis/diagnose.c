@@ -147,6 +147,20 @@ static bool ends_alike(const struct um_diagnosis *a, const struct um_diagnosis *
   return true;
 }
 
+/* What the search ended with, or added and replaced, is tried by the searches that follow, where
+ * its shape is not known by its score: with it at its best may be left what no other leaves. */
+static void carry(const struct um_diagnosis_work *work, const struct um_diagnosis *d)
+{
+  for (size_t i = 0; i < work->candidates->count; i++) {
+    const struct um_sensitivity_candidate *c = &work->candidates->candidate[i];
+    for (size_t k = 0; k < d->naddition + d->nsuperseded && um_diagnosis_is_rough(c); k++) {
+      const struct um_model_addition *a =
+          k < d->naddition ? &d->addition[k] : &d->superseded[k - d->naddition].addition;
+      if (a->effect == c->effect && a->target == c->target) work->shape[i].named = true;
+    }
+  }
+}
+
 /* The search anew, with the noise that a residual has. *same: it ends alike. */
 static enum um_status search_anew(struct um_context *context, struct um_diagnosis_work *work,
                                   const double *residual, struct um_diagnosis_state *state,
@@ -164,6 +178,7 @@ static enum um_status search_anew(struct um_context *context, struct um_diagnosi
   next->candidates = (*d)->candidates;
   next->level = work->level;
   next->weighed = true;
+  carry(work, *d);
   memset(work->fate, 0, work->candidates->count * sizeof *work->fate);
   UM_CHECK(search(context, work, state, bare, next));
   next->baseline_whiteness = (*d)->baseline_whiteness; /* of sigma as it is stated */
@@ -250,6 +265,7 @@ enum um_status um_diagnosis_begin(struct um_context *context,
   (*d)->forward = forward;
   (*d)->level = work->level;
   UM_TRY(um_core_allocate(context, candidates->count, sizeof *work->fate, &work->fate));
+  UM_TRY(um_core_allocate(context, candidates->count, sizeof *work->shape, &work->shape));
   UM_TRY(um_core_allocate(context, forward->observations.count, sizeof *work->fold, &work->fold));
   work->nfold = UM_DIAGNOSIS_FOLDS;
   um_diagnosis_time_blocks(&forward->observations, work->nfold, work->fold);
@@ -258,7 +274,7 @@ enum um_status um_diagnosis_begin(struct um_context *context,
 
 void um_diagnosis_end(struct um_context *context, struct um_diagnosis_work *work)
 {
-  UM_FREE(context, work->fate, work->fold);
+  UM_FREE(context, work->fate, work->fold, work->shape);
   um_inference_noise_release(context, &work->estimated);
   um_diagnosis_discrepancy_release(context, &work->discrepancy);
   *work = (struct um_diagnosis_work){0};

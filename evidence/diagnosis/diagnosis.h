@@ -29,7 +29,9 @@ struct um_diagnosis_alternative {
   bool not_tried;   /* the linear model rates it as good as the winner, but it was not fitted */
   bool refused;     /* not fitted: the model refuses its values */
   bool implausible; /* further than 3 prior widths from its null value */
-  bool same_effect; /* the winner's effect on its target, with another value of a switch */
+  bool same_effect; /* the winner's effect on its target, with another value of a switch, or: */
+  /* a heater that is on all the time is the winner, and that it switches explains no more */
+  bool contains_winner;
   /* It would fit as well as the winner without its prior, or beyond the end of its range. Its BIC
    * is within UM_DIAGNOSIS_NEXT_BEST, but not within the evidence. */
   bool excluded_by_prior, excluded_by_range;

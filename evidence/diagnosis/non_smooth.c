@@ -68,6 +68,20 @@ static enum um_status chi2_at(struct um_context *context, const struct um_diagno
   return status;
 }
 
+enum um_status um_diagnosis_chi2(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state, double *out)
+{
+  enum um_status status;
+  struct um_model_addition *all = NULL;
+  double *value = NULL;
+  UM_CHECK(um_core_allocate(context, state->nblock, sizeof *all, &all));
+  UM_CHECK(um_core_allocate(context, work->forward->observations.count, sizeof *value, &value));
+  UM_CHECK(chi2_at(context, work, state, all, value, out));
+done:
+  UM_FREE(context, value, all);
+  return status;
+}
+
 /* What measured temperatures of its place say of a thermostat: they are hardly ever below on_K, and
  * most of the time between on_K and band_K above it. */
 struct unidentified {
@@ -118,6 +132,7 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
   const struct um_sensitivity_candidate *c =
       &work->candidates->candidate[state->block[b].candidate];
   double *value = state->block[b].addition.value, found[UM_EFFECT_PARAMETERS_MAX];
+  const struct um_diagnosis_shape *shape = &work->shape[state->block[b].candidate];
   double amplitude = linear_amplitude(work, before, c), lowest = INFINITY, chi2, known = NAN;
   struct um_model_addition *all = NULL;
   struct unidentified measured;
@@ -142,7 +157,13 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
       lowest = chi2;
       memcpy(found, value, sizeof found);
     }
+  if (shape->chi2 > 0.0) { /* where an earlier fit ended */
+    memcpy(value, shape->value, sizeof found);
+    UM_CHECK(chi2_at(context, work, state, all, rows, &chi2));
+    if (chi2 < lowest) memcpy(found, value, sizeof found);
+  }
   memcpy(value, found, sizeof found);
+  if (um_diagnosis_phase_is_free(c, &state->block[b].addition)) um_diagnosis_phase_free(state, b);
 done:
   UM_FREE(context, rows, all);
   return status;
@@ -192,6 +213,7 @@ static double side(const struct search *search, size_t k)
   const struct um_effect_parameter *p = &block->addition.effect->parameters[block->parameter[k]];
   if (p->is_temperature) return 0.5;
   if (p->logarithmic) return 0.2;
+  if (p->is_phase) return 1.0 / UM_DIAGNOSIS_PHASES;
   return fmax(0.2 * fabs(block->addition.value[block->parameter[k]]), block->step[k]);
 }
 
@@ -215,7 +237,7 @@ static double height(const gsl_vector *x, void *user)
   for (size_t k = 0; k < block->nfree; k++) {
     const struct um_effect_parameter *p = &block->addition.effect->parameters[block->parameter[k]];
     double value = um_effect_physical(p, gsl_vector_get(x, k));
-    if (!(value >= p->minimum && value <= p->maximum)) return chi2;
+    if (!(value >= block->minimum[k] && value <= block->maximum[k])) return chi2;
     block->addition.value[block->parameter[k]] = value;
   }
   s->status = chi2_at(s->context, s->work, s->state, s->all, s->value, &chi2);

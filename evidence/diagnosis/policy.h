@@ -138,6 +138,13 @@
 #define UM_DIAGNOSIS_SIMPLEX_END 0.02
 /* Chi-square that another simplex has to gain [1]. LAB: as much as BETTER, in BIC. */
 #define UM_DIAGNOSIS_SIMPLEX_GAIN UM_DIAGNOSIS_BETTER
+/* Phases of a thermostat's cycle that are scanned, and the step of a difference by it [1]. HAND: an
+ * eighth of a cycle is half of the flank of a saw-tooth that is on for a quarter of it. */
+#define UM_DIAGNOSIS_PHASES     8
+#define UM_DIAGNOSIS_PHASE_STEP 0.01
+/* Searches from the best of those, each of another power or band. HAND: w40 has two minima, 22 and
+ * 43 W. */
+#define UM_DIAGNOSIS_PHASE_STARTS 2
 /* Points up to here [sigma] tell how wide the valley is. Convention: three sigma. LAB. */
 #define UM_DIAGNOSIS_VALLEY 3.0
 

@@ -152,6 +152,9 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
     if (i == 0) continue;
     r->same_effect =
         um_diagnosis_is_same_effect(c, &work->candidates->candidate[winner->candidate]);
+    if (!r->same_effect && r->bic - winner->bic < UM_DIAGNOSIS_NEXT_BEST)
+      UM_CHECK(um_diagnosis_contains_winner(context, work, state, winner, r, &r->contains_winner));
+    r->same_effect = r->same_effect || r->contains_winner;
     relate(winner, r, c);
     if (r->same_effect) r->indistinguishable = r->not_tried = false; /* the effect is known */
     not_tried += r->not_tried;

@@ -12,6 +12,15 @@
 /* What became of a candidate. */
 enum um_diagnosis_fate { UM_FATE_NOT_FITTED, UM_FATE_FITTED, UM_FATE_REFUSED };
 
+/* What is known of a candidate whose chi-square is rough (um_diagnosis_is_rough). */
+struct um_diagnosis_shape {
+  double chi2; /* the least of its fits; 0: none yet */
+  double value[UM_EFFECT_PARAMETERS_MAX];
+  /* An earlier search named it: its score before another noise says little, and it is fitted
+   * whatever that is. */
+  bool named;
+};
+
 /* What is diagnosed, and how; passed around. */
 struct um_diagnosis_work {
   struct um_sensitivity_forward *forward;
@@ -21,7 +30,8 @@ struct um_diagnosis_work {
   size_t steps_max, alternatives;
   size_t *fold; /* [nobservation] blocks of time that are held out in turn */
   size_t nfold;
-  enum um_diagnosis_fate *fate; /* [count of candidates] */
+  enum um_diagnosis_fate *fate;     /* [count of candidates] */
+  struct um_diagnosis_shape *shape; /* [count of candidates] */
   /* NULL: residuals are white noise of the stated sigma. Else what fits are weighted by; each state
    * is judged by the noise that its own residual has the largest likelihood with */
   struct um_inference_noise *noise;

@@ -106,6 +106,33 @@ enum um_status um_diagnosis_simplex_refine(struct um_context *context,
                                            const struct um_diagnosis_work *work,
                                            struct um_diagnosis_state *state, size_t b);
 
+/* Chi-square of the observations, white noise of their sigma, with the state at the values in its
+ * blocks; INFINITY where the model refuses them. */
+enum um_status um_diagnosis_chi2(struct um_context *context, const struct um_diagnosis_work *work,
+                                 const struct um_diagnosis_state *state, double *out);
+
+/* The parameter of an effect that is the phase of a cycle; nparameter: none is. */
+size_t um_diagnosis_phase_of(const struct um_effect *effect);
+/* Whether an addition of a candidate has a phase that was freed. */
+bool um_diagnosis_phase_is_free(const struct um_sensitivity_candidate *c,
+                                const struct um_model_addition *addition);
+/* The phase of block b, which has one, becomes its last free parameter. */
+void um_diagnosis_phase_free(struct um_diagnosis_state *state, size_t b);
+/* Block b of a fitted state: its phase is freed where that lowers BIC, and the state fitted anew.
+ * Nothing is done for an effect without a phase, or with one that the scenario states, nor where
+ * the state would not come near the BIC `lead`. */
+enum um_status um_diagnosis_phase_refine(struct um_context *context,
+                                         const struct um_diagnosis_work *work,
+                                         struct um_diagnosis_state *state, size_t b, double lead);
+
+/* Whether the winner is an alternative of unknown shape that is on all the time, beside the state,
+ * within UM_DIAGNOSIS_SETTLED of chi-square, and has the lower BIC. */
+enum um_status um_diagnosis_contains_winner(struct um_context *context,
+                                            const struct um_diagnosis_work *work,
+                                            const struct um_diagnosis_state *state,
+                                            const struct um_diagnosis_alternative *winner,
+                                            const struct um_diagnosis_alternative *r, bool *out);
+
 /* Fill a step from the state before it and the best state after it, with the winner's group. */
 enum um_status um_diagnosis_step_fill(struct um_context *context,
                                       const struct um_diagnosis_work *work,

@@ -85,10 +85,10 @@ static enum um_status refine(struct um_context *context, const struct um_diagnos
                              struct um_diagnosis_state *state)
 {
   size_t last = trial->candidate[trial->ncandidate - 1];
-  if (!um_diagnosis_is_rough(&work->candidates->candidate[last]) ||
-      !(state->fit->bic < trial->lead))
-    return UM_OK;
-  return um_diagnosis_simplex_refine(context, work, state, state->nblock - 1);
+  if (!um_diagnosis_is_rough(&work->candidates->candidate[last])) return UM_OK;
+  if (state->fit->bic < trial->lead)
+    UM_TRY(um_diagnosis_simplex_refine(context, work, state, state->nblock - 1));
+  return um_diagnosis_phase_refine(context, work, state, state->nblock - 1, trial->lead);
 }
 
 /* --- to and from a worker -------------------------------------------------------------------- */
@@ -103,8 +103,11 @@ struct job {
 static size_t room(const struct job *job, const struct um_diagnosis_trial *trial)
 {
   size_t nparameter = job->state->nparameter;
-  for (size_t i = 0; i < trial->ncandidate; i++)
-    nparameter += um_diagnosis_block_of(job->work, trial->candidate[i]).nfree;
+  for (size_t i = 0; i < trial->ncandidate; i++) {
+    struct um_diagnosis_block block = um_diagnosis_block_of(job->work, trial->candidate[i]);
+    const struct um_effect *effect = block.addition.effect;
+    nparameter += block.nfree + (um_diagnosis_phase_of(effect) < effect->nparameter);
+  }
   return 1 + (job->state->nblock + trial->ncandidate) * UM_EFFECT_PARAMETERS_MAX +
          um_inference_fit_packed(job->work->forward->observations.count, nparameter);
 }
@@ -147,6 +150,10 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   UM_TRY(blocks_with(context, job->work, job->state, trial->candidate, trial->ncandidate, state));
   for (size_t b = 0; b < state->nblock; b++, value += UM_EFFECT_PARAMETERS_MAX)
     memcpy(state->block[b].addition.value, value, sizeof state->block[b].addition.value);
+  for (size_t b = job->state->nblock; b < state->nblock; b++)
+    if (um_diagnosis_phase_is_free(&job->work->candidates->candidate[state->block[b].candidate],
+                                   &state->block[b].addition))
+      um_diagnosis_phase_free(state, b);
   return um_inference_fit_unpack(context, value, job->work->forward->observations.count,
                                  state->nparameter, &state->fit);
 }

@@ -71,9 +71,10 @@ enum um_thermal_thermostat_start {
  * sensor nodes falls to `on` and off when it rises to `off`, on < off. A run begins with those on
  * whose sensor is below the middle of the two, or, where the sensor lies between them and a phase
  * is stated, there in the cycle: all sensor nodes are moved by what the sensor then lacks, and the
- * phase decides whether it is on. Steady and periodic solutions take its mean power,
- * which falls from full to nothing around the middle (see system_heat.c); where a heater of that
- * power cannot hold the middle it is simply on. */
+ * phase decides whether it is on. Less than a band above `off` the sensor is lower by what it would
+ * lack of `off` there, times the share of the band that is left. Steady and periodic solutions take
+ * its mean power, which falls from full to nothing around the middle (see system_heat.c); where a
+ * heater of that power cannot hold the middle it is simply on. */
 struct um_thermal_thermostat {
   const uint32_t *node; /* [nnode] diffusive */
   const double *weight; /* [nnode], sum 1 */

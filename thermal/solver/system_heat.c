@@ -195,15 +195,17 @@ static bool begins_on(const struct um_thermal_network_thermostat *thermostat, do
 }
 
 /* Half of a cycle goes up through the band, on, and half comes down. It has switched where it
- * stands at a threshold. */
+ * stands at a threshold. A place above the band, in the sun, left its last cycle anywhere in it,
+ * and floats lower by what it lacked then; a whole width above the band that is forgotten. */
 static void phase_set(struct um_thermal_system *system, struct um_thermal_system_thermostat *own,
                       double t)
 {
   const struct um_thermal_network_thermostat *thermostat = own->thermostat;
-  double band = thermostat->off - thermostat->on;
+  double band = thermostat->off - thermostat->on, above = fmax(0.0, t - thermostat->off);
   double phase = thermostat->phase < 1.0 ? thermostat->phase : 0.0;
-  own->on = phase < 0.5;
-  double wanted = thermostat->on + 2.0 * band * (own->on ? phase : 1.0 - phase);
+  double lacks = 1.0 - 2.0 * (phase < 0.5 ? phase : 1.0 - phase); /* of the band */
+  double wanted = thermostat->off + above - band * lacks * fmax(0.0, 1.0 - above / band);
+  own->on = phase < 0.5 && wanted < thermostat->off;
   for (size_t j = 0; j < thermostat->sensor.n; j++)
     if (thermostat->sensor.weight[j] > 0.0)
       system->temperature[thermostat->sensor.node[j]] += wanted - t;
@@ -215,8 +217,7 @@ void um_thermal_system_thermostats_set(struct um_thermal_system *system, bool st
     struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_network_thermostat *thermostat = own->thermostat;
     double t = um_thermal_thermostat_sensor(thermostat, system->temperature);
-    bool inside = t > thermostat->on && t < thermostat->off;
-    if (start && system->kind == UM_SYSTEM_RUN && inside && thermostat->phase > 0.0)
+    if (start && system->kind == UM_SYSTEM_RUN && t > thermostat->on && thermostat->phase > 0.0)
       phase_set(system, own, t);
     else if (start)
       own->on = begins_on(thermostat, t);

@@ -113,6 +113,7 @@ static void print_alternative(FILE *file, const struct um_diagnosis *d,
 /* How an alternative stands to the winner; NULL: not fitted, or too far behind to be named. */
 static const char *relation(const struct um_diagnosis_alternative *r, double behind)
 {
+  if (r->contains_winner) return "the same where it is always on, and switching explains no more:";
   if (r->indistinguishable) return "cannot be told from";
   if (r->excluded_by_prior) return "kept out by its prior alone:";
   if (r->excluded_by_range) return "kept out by the end of its range alone:";

@@ -209,7 +209,8 @@ static void what_is_left_of_a_pair_has_its_step(void **state)
   size_t n = c.forward->observations.count, left = c.d->step[0].candidate;
   size_t *fold = calloc(n, sizeof *fold);
   enum um_diagnosis_fate *fate = calloc(c.candidates->count, sizeof *fate);
-  assert_true(fold != NULL && fate != NULL && c.candidates->count == 3);
+  struct um_diagnosis_shape *shape = calloc(c.candidates->count, sizeof *shape);
+  assert_true(fold != NULL && fate != NULL && shape != NULL && c.candidates->count == 3);
   for (size_t j = 0; j < n; j++) fold[j] = j % 2;
   const struct um_diagnosis_work work = {.forward = c.forward,
                                          .candidates = c.candidates,
@@ -218,7 +219,8 @@ static void what_is_left_of_a_pair_has_its_step(void **state)
                                          .alternatives = 8,
                                          .fold = fold,
                                          .nfold = 2,
-                                         .fate = fate};
+                                         .fate = fate,
+                                         .shape = shape};
   struct um_diagnosis_state bare = {0}, alone = {0};
   struct um_diagnosis d = {.candidates = c.candidates};
   OK(um_core_allocate(context, 2, sizeof *d.step, &d.step));
@@ -237,6 +239,7 @@ static void what_is_left_of_a_pair_has_its_step(void **state)
   um_diagnosis_state_release(context, &bare);
   free(fold);
   free(fate);
+  free(shape);
   end(&c);
 }
 

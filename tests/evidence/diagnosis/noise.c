@@ -209,21 +209,14 @@ static void test_fit(void **state)
 
 int main(void)
 {
-<<<<<<< HEAD
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_understated),     cmocka_unit_test(test_spikes),
-      cmocka_unit_test(test_too_many_spikes), cmocka_unit_test(test_discrepancy),
-      cmocka_unit_test(test_resembling),      cmocka_unit_test(test_effect_beside_it),
-      cmocka_unit_test(test_white),           cmocka_unit_test(test_fit)};
-=======
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_understated),
                                      cmocka_unit_test(test_spikes),
+                                     cmocka_unit_test(test_too_many_spikes),
                                      cmocka_unit_test(test_discrepancy),
                                      cmocka_unit_test(test_resembling),
                                      cmocka_unit_test(test_effect_beside_it),
                                      cmocka_unit_test(test_light_beside_it),
                                      cmocka_unit_test(test_white),
                                      cmocka_unit_test(test_fit)};
->>>>>>> 5a12d8bdab987523bc4344c304dcc3404294417e
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

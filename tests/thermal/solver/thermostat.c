@@ -123,8 +123,9 @@ static void test_given_phase(void **state)
 /* A stated phase puts the sensor there in the band, from wherever in it the run starts: 0.1 of a
  * cycle is a fifth of the way up, on; 0.8 three fifths of the way down, off; 0.5 and 1 are the
  * instants of switching, off and on. The two exponentials lead on from there through the first
- * switching; what the phase adds to the start is no heat of the run. Outside of the band the sensor
- * decides. */
+ * switching; what the phase adds to the start is no heat of the run. A quarter of the band above it
+ * three quarters of what the phase lacks of the upper end are left; a whole band above it, and
+ * below it, the sensor decides. */
 static void test_phase(void **state)
 {
   (void)state;
@@ -135,6 +136,8 @@ static void test_phase(void **state)
               {230.5, 0.8, ON + 0.4 * (OFF - ON), false},
               {229.2, 0.5, OFF, false},
               {230.5, 1.0, ON, true},
+              {OFF + 0.25 * (OFF - ON), 0.8, OFF - 0.2 * (OFF - ON), false},
+              {OFF + 0.25 * (OFF - ON), 0.1, OFF - 0.35 * (OFF - ON), true},
               {228.0, 0.8, 228.0, true},
               {233.0, 0.2, 233.0, false}};
   for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
