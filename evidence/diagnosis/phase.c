@@ -127,6 +127,7 @@ static enum um_status search_from(struct um_context *context, const struct um_di
   out->block[b].addition = *from;
   um_diagnosis_phase_free(out, b);
   UM_TRY(um_diagnosis_state_fit(context, work, out, NULL, NULL, INFINITY));
+  if (!(out->fit->bic < state->fit->bic + UM_DIAGNOSIS_SMALL)) return UM_OK;
   return um_diagnosis_simplex_refine(context, work, out, b);
 }
 
@@ -182,6 +183,7 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
   UM_TRY(scan(context, work, state, b, start));
   for (size_t i = 0; i < UM_DIAGNOSIS_PHASE_STARTS; i++) {
     double gain = now - start[i].chi2;
+    if (i > 0 && !(start[i].chi2 < start[0].chi2 + UM_DIAGNOSIS_BETTER)) break;
     if (!(gain > -UM_DIAGNOSIS_EVIDENCE &&
           state->fit->bic - gain + cost < lead + UM_DIAGNOSIS_EVIDENCE))
       break;
