@@ -82,7 +82,7 @@ static void offer(struct start best[UM_DIAGNOSIS_PHASE_STARTS], const struct sta
   best[to] = *of;
 }
 
-/* The best places of a scan, each of another power and band. */
+/* The best places of a scan, each of another power and band; chi2 INFINITY: there is none. */
 static enum um_status scan(struct um_context *context, const struct um_diagnosis_work *work,
                            const struct um_diagnosis_state *state, size_t b,
                            struct start best[UM_DIAGNOSIS_PHASE_STARTS])
@@ -95,6 +95,7 @@ static enum um_status scan(struct um_context *context, const struct um_diagnosis
   for (size_t i = 0; i < UM_DIAGNOSIS_PHASE_STARTS; i++) best[i].chi2 = INFINITY;
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &trial));
   struct start at = {.chi2 = INFINITY};
+  double highest = -INFINITY; /* of the phases with all else as it is */
   for (size_t k = 0; k < POWERS * BANDS; k++) {
     struct start of = {.chi2 = INFINITY};
     for (size_t i = 0; i < MIDDLES * UM_DIAGNOSIS_PHASES; i++) {
@@ -104,6 +105,10 @@ static enum um_status scan(struct um_context *context, const struct um_diagnosis
       trial.block[b].addition = at.addition;
       UM_CHECK(um_diagnosis_chi2(context, work, &trial, &at.chi2));
       if (at.chi2 < of.chi2) of = at;
+      if (k > 0 || i >= UM_DIAGNOSIS_PHASES) continue;
+      highest = fmax(highest, at.chi2);
+      if (i + 1 == UM_DIAGNOSIS_PHASES && !(highest - of.chi2 > UM_DIAGNOSIS_BETTER))
+        goto done; /* nothing that was measured tells phases apart */
     }
     offer(best, &of);
   }
@@ -122,6 +127,7 @@ static enum um_status search_from(struct um_context *context, const struct um_di
   out->block[b].addition = *from;
   um_diagnosis_phase_free(out, b);
   UM_TRY(um_diagnosis_state_fit(context, work, out, NULL, NULL, INFINITY));
+  if (!(out->fit->bic < state->fit->bic + UM_DIAGNOSIS_SMALL)) return UM_OK;
   return um_diagnosis_simplex_refine(context, work, out, b);
 }
 
@@ -147,6 +153,16 @@ static void reach(const struct um_diagnosis_state *other, size_t b,
   }
 }
 
+/* Whether a fit that leaves noise with one number more would not lower BIC, or not come to `lead`.
+ */
+static bool is_vain(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state,
+                    double lead)
+{
+  double n = (double)work->forward->observations.count;
+  double gain = state->fit->chi2 - (n - (double)state->nparameter - 1.0) - log(n);
+  return !(gain > 0.0 && state->fit->bic - gain < lead + UM_DIAGNOSIS_EVIDENCE);
+}
+
 enum um_status um_diagnosis_phase_refine(struct um_context *context,
                                          const struct um_diagnosis_work *work,
                                          struct um_diagnosis_state *state, size_t b, double lead)
@@ -161,12 +177,13 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
   if (p == c->effect->nparameter || c->null_value[p] != c->effect->parameters[p].null_value)
     return UM_OK; /* it has none, or the scenario states it */
   if (um_diagnosis_phase_is_free(c, &state->block[b].addition) ||
-      !(state->fit->bic < lead + UM_DIAGNOSIS_FAR_BEHIND))
+      !(state->fit->bic < lead + UM_DIAGNOSIS_FAR_BEHIND) || is_vain(work, state, lead))
     return UM_OK;
   UM_TRY(um_diagnosis_chi2(context, work, state, &now));
   UM_TRY(scan(context, work, state, b, start));
   for (size_t i = 0; i < UM_DIAGNOSIS_PHASE_STARTS; i++) {
     double gain = now - start[i].chi2;
+    if (i > 0 && !(start[i].chi2 < start[0].chi2 + UM_DIAGNOSIS_BETTER)) break;
     if (!(gain > -UM_DIAGNOSIS_EVIDENCE &&
           state->fit->bic - gain + cost < lead + UM_DIAGNOSIS_EVIDENCE))
       break;
