@@ -122,6 +122,22 @@ static void test_cases(void **state)
   free(json);
 }
 
+/* Measurements of the scenario itself, with more noise than its sampling has: a diagnosis adds
+ * nothing, and its page has one model, without a before and an after. */
+static void test_diagnosis(void **state)
+{
+  (void)state;
+  command_expect(0, "synth", BOX, "--noise", "0.2", "--seed", "3", "-o", "own.csv", NULL);
+  command_expect(0, "diagnose", BOX, "own.csv", "--only", "zero_point", "--out", "own",
+                 "--no-plots", NULL);
+  char *json = document("own/report.html");
+  EXPECT(json, "How far off was the model, and where?", "Before: chi-square", "\"model\"",
+         "What remains?");
+  assert_null(strstr(json, "\"before\""));
+  assert_null(strstr(json, "\"after\""));
+  free(json);
+}
+
 static double unix_of(const char *utc)
 {
   struct tm tm = {0};
@@ -211,9 +227,12 @@ static int enter(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_run),         cmocka_unit_test(test_compare),
-      cmocka_unit_test(test_sensitivity), cmocka_unit_test(test_cases),
-      cmocka_unit_test(test_forecast),    cmocka_unit_test(test_view_and_report)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_run),
+                                     cmocka_unit_test(test_compare),
+                                     cmocka_unit_test(test_diagnosis),
+                                     cmocka_unit_test(test_sensitivity),
+                                     cmocka_unit_test(test_cases),
+                                     cmocka_unit_test(test_forecast),
+                                     cmocka_unit_test(test_view_and_report)};
   return cmocka_run_group_tests(tests, enter, command_leave);
 }

@@ -309,14 +309,17 @@ static void put_light(const struct um_diagnosis *d, const char *name, const char
                       FILE *file)
 {
   const struct um_missing_light *l = &d->light_asked;
-  static const char *const what[] = {"a factor on light", "light of its own at the satellite",
+  static const char *const what[] = {"a factor on the light of",
+                                     "light of its own at the satellite",
                                      "light that is not the satellite's"};
   char summary[240], validity[300], from[40], to[40];
   put_light_hook(l, file);
   put_light_parameters(l, file);
-  snprintf(summary, sizeof summary, "What no effect of the catalogue has: %s along %s, of %.100s",
-           what[l->kind], um_missing_light_coordinate_name(l->coordinate),
-           l->material != NULL ? l->material : "everything");
+  const char *whose = l->material != NULL ? l->material : "everything";
+  bool factor = l->kind == UM_LIGHT_FACTOR;
+  snprintf(summary, sizeof summary, "What no effect of the catalogue has: %s%s%.100s along %s",
+           what[l->kind], factor ? " " : "", factor ? whose : "",
+           um_missing_light_coordinate_name(l->coordinate));
   if (l->coordinate == UM_COORDINATE_TIME) {
     um_orbit_time_format(l->from, from);
     um_orbit_time_format(l->to, to);

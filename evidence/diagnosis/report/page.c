@@ -45,8 +45,10 @@ static enum um_status channel(struct work *w, size_t c)
   const struct um_sensitivity_observations *o = &d->forward->observations;
   const struct um_compare_channel *of = um_diagnosis_report_channel(d, c);
   const double *values[UM_COMPARE_PAGE_MODELS] = {d->value_before, d->value_after};
-  static const char *const names[UM_COMPARE_PAGE_MODELS] = {"before", "after"};
-  struct um_compare_page_channel page = {.channel = of, .weighted = true, .nmodel = 2};
+  bool fitted = d->naddition + d->nnuisance > 0;
+  const char *const names[UM_COMPARE_PAGE_MODELS] = {fitted ? "before" : "model", "after"};
+  struct um_compare_page_channel page = {
+      .channel = of, .weighted = true, .nmodel = fitted ? UM_COMPARE_PAGE_MODELS : 1};
   size_t *row, n;
   double *time, *measured, *sigma;
   enum um_status status;
