@@ -85,11 +85,11 @@ static enum um_status keep_key(struct um_context *context, const struct um_model
 
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
                                     const struct um_model_addition *key, size_t nkey,
-                                    struct um_model **model, struct um_model_tables **tables,
-                                    struct um_variant_kept **out)
+                                    const struct um_model_tables *like, struct um_model **model,
+                                    struct um_model_tables **tables, struct um_variant_kept **out)
 {
   struct um_variant_kept *kept = NULL, **link;
-  size_t bytes = um_model_tables_bytes(*tables);
+  size_t bytes = um_model_tables_bytes(*tables, like);
   *out = NULL;
   UM_TRY(um_core_allocate(context, 1, sizeof *kept, &kept));
   enum um_status status = key != NULL ? keep_key(context, key, nkey, kept) : UM_OK;

@@ -39,11 +39,12 @@ struct um_variant_kept *um_variant_cache_find_key(struct um_variant_cache *cache
                                                   const struct um_model_addition *key, size_t nkey);
 /* Takes model and geometry, and gives up others for them; what is larger than all that may be kept
  * stays until the next. key: copied; NULL: it is found by what it is built of alone. UM_ERR_MEMORY:
- * they stay the caller's. */
+ * they stay the caller's. like: who holds what it shares of the body, which is
+ * not counted; NULL: nobody. */
 enum um_status um_variant_cache_add(struct um_context *context, struct um_variant_cache *cache,
                                     const struct um_model_addition *key, size_t nkey,
-                                    struct um_model **model, struct um_model_tables **tables,
-                                    struct um_variant_kept **out);
+                                    const struct um_model_tables *like, struct um_model **model,
+                                    struct um_model_tables **tables, struct um_variant_kept **out);
 /* Takes heat of a kept model, which has none yet. */
 void um_variant_cache_keep_heat(struct um_variant_cache *cache, struct um_variant_kept *kept,
                                 struct um_model_thermal_solution **heat,

@@ -19,7 +19,8 @@ struct um_variant_settings {
   bool scaled;  /* loads that differ from the scenario's by levels of sunlight and of the Earth
                    alone are made of those: an answer is off by the last of 24 bits of them */
   bool photons; /* sunlight from mirror to mirror is kept with the scenario's geometry */
-  size_t bytes; /* that geometries beside the scenario's may take; 0: UM_VARIANT_BYTES */
+  size_t bytes; /* that geometries may take beside what they share with the scenario's; 0:
+                   UM_VARIANT_BYTES */
 };
 #define UM_VARIANT_BYTES ((size_t)1 << 30)
 
@@ -75,7 +76,8 @@ void um_variant_evaluator_destroy(struct um_context *context,
                                   struct um_variant_evaluator **evaluator);
 /* Another bound in bytes for what is kept from now on; the one before. */
 size_t um_variant_evaluator_bound(struct um_variant_evaluator *evaluator, size_t bytes);
-/* Bytes of geometries of their own that open variants hold. */
+/* Bytes of geometries of their own that open variants hold, tables of the body that are the
+ * scenario's not counted. */
 size_t um_variant_evaluator_open_bytes(const struct um_variant_evaluator *evaluator);
 
 /* The scenario as it stands: its geometry is traced and its heat solved when they are first asked

@@ -49,8 +49,8 @@ static enum um_status trace(struct um_context *context, struct um_variant_evalua
   }
   if (traced == NULL)
     UM_TRY(um_variant_trace_over(context, e, v->model, e->settings.instants, &traced));
-  enum um_status status =
-      um_variant_cache_add(context, &e->cache, key, nkey, &v->own_model, &traced, &v->kept);
+  enum um_status status = um_variant_cache_add(context, &e->cache, key, nkey, e->tables,
+                                               &v->own_model, &traced, &v->kept);
   um_model_tables_destroy(context, &traced);
   return status;
 }

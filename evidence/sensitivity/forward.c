@@ -11,6 +11,7 @@
 #include "evidence/inversion/refine.h"
 #include "evidence/sensitivity/forward_impl.h"
 #include "evidence/sensitivity/observations_impl.h"
+#include "evidence/sensitivity/policy.h"
 #include "model/build/build.h"
 #include "model/run/run.h"
 
@@ -380,7 +381,8 @@ static enum um_status first_evaluation(struct um_context *context, struct um_sen
   const struct um_variant_settings settings = {.instants = &f->instants,
                                                .base = um_sensitivity_forward_heat(f).tolerance,
                                                .scaled = true,
-                                               .photons = true};
+                                               .photons = true,
+                                               .bytes = UM_SENSITIVITY_KEPT};
   struct um_model_result *result = NULL;
   enum um_status status;
   double begin = omp_get_wtime();

@@ -10,13 +10,11 @@
 #include <string.h>
 
 #include "effects/effects.h"
+#include "evidence/sensitivity/policy.h"
 
 #define SMALL 1e-3                /* of a step */
 #define FAINT 1e-9                /* of a step: a heater of so little power warms nothing */
 #define BYTES ((size_t)128 << 20) /* that answers of one run may take */
-/* Bytes of geometries that are open for one run, whatever the workers: who shares it has its steps.
- */
-#define OPEN ((size_t)512 << 20)
 
 static struct um_model_addition addition_of(const struct um_sensitivity_move *move, double share)
 {
@@ -26,12 +24,21 @@ static struct um_model_addition addition_of(const struct um_sensitivity_move *mo
   return a;
 }
 
-static enum um_status moves_loads(struct um_context *context,
-                                  const struct um_sensitivity_forward *forward,
-                                  const struct um_sensitivity_move *move, bool *out)
+/* A move that is refused is left to the one who takes the step. */
+static enum um_status left(struct um_context *context, enum um_status status)
+{
+  if (status != UM_ERR_REFUSED && status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
+  um_core_message_clear(context);
+  return UM_OK;
+}
+
+enum um_status um_sensitivity_moves_loads(struct um_context *context,
+                                          const struct um_sensitivity_forward *forward,
+                                          const struct um_sensitivity_move *move, bool *out)
 {
   const struct um_model_addition a = addition_of(move, SMALL);
-  return um_variant_reaches_geometry(context, forward->evaluator, &a, 1, out);
+  *out = false;
+  return left(context, um_variant_reaches_geometry(context, forward->evaluator, &a, 1, out));
 }
 
 /* The variant of a move of a share of its step. */
@@ -81,6 +88,13 @@ static size_t moves_most(const struct um_sensitivity_forward *f)
   size_t most = BYTES / (um_thermal_network_nodes(f->model->body->network) *
                          (1 + f->base.tables->nobs * f->base.tables->nsub) * sizeof(float));
   return most < 1 ? 1 : most;
+}
+
+size_t um_sensitivity_moves_open(const struct um_sensitivity_forward *forward, size_t most)
+{
+  size_t own = um_model_tables_bytes(forward->base.tables, forward->base.tables);
+  size_t open = 1 + UM_SENSITIVITY_OPEN / (own + 1); /* the one that goes beyond is taken, too */
+  return open < most ? open : most;
 }
 
 /* Does it move nothing but temperatures? */
@@ -137,14 +151,6 @@ bool um_sensitivity_moves_heat(const struct um_effect *effect)
   return (reach & UM_REACH_THERMAL) != 0 && (reach & UM_REACH_GEOMETRY) == 0;
 }
 
-/* A move that is refused is left to the one who takes the step. */
-static enum um_status left(struct um_context *context, enum um_status status)
-{
-  if (status != UM_ERR_REFUSED && status != UM_ERR_INPUT && status != UM_ERR_NUMERIC) return status;
-  um_core_message_clear(context);
-  return UM_OK;
-}
-
 /* Its answer is known, and it is in the batch. */
 static void put(struct um_sensitivity_moves *moves, const struct um_sensitivity_move *move,
                 double step, struct batch *batch)
@@ -190,10 +196,11 @@ static enum um_status take_all(struct um_context *context, struct um_sensitivity
   for (size_t i = 0; i < n; i++) {
     bool own = false;
     if (!um_sensitivity_moves_heat(move[i].effect)) continue;
-    UM_TRY(left(context, moves_loads(context, forward, &move[i], &own)));
+    UM_TRY(um_sensitivity_moves_loads(context, forward, &move[i], &own));
     if (own != loads) continue;
     UM_TRY(take(context, forward, &move[i], loads, batch));
-    if (batch->count == batch->most || um_variant_evaluator_open_bytes(forward->evaluator) > OPEN)
+    if (batch->count == batch->most ||
+        um_variant_evaluator_open_bytes(forward->evaluator) > UM_SENSITIVITY_OPEN)
       UM_TRY(batch_end(context, forward, batch));
   }
   return UM_OK;

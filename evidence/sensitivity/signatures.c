@@ -180,25 +180,59 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   return um_core_progress_step(context, work->heat ? ndone : 0);
 }
 
-/* Candidates that may move heat, in groups of about HEAT_MOVES moves, in their order. One whose
- * heat turns out to be none of the group's is left. */
-static void make_groups(struct work *work, size_t count)
+/* What a candidate moves at the scenario: nothing that heat feels, the network, or the loads too.
+ */
+enum moved { MOVED_NONE, MOVED_NETWORK, MOVED_LOADS };
+
+static enum um_status moved_by(struct um_context *context, const struct work *work, size_t which,
+                               enum moved *out, size_t *nmove)
 {
   struct um_sensitivity_move move[UM_EFFECT_PARAMETERS_MAX];
-  size_t moves = 0, n = 0;
-  work->ntask = 0;
+  bool loads = false;
+  *nmove = um_sensitivity_signature_moves(&work->candidate[which], move);
+  *out = MOVED_NONE;
+  if (*nmove == 0 || !um_sensitivity_moves_heat(work->candidate[which].effect)) return UM_OK;
+  for (size_t k = 0; k < *nmove && !loads; k++)
+    UM_TRY(um_sensitivity_moves_loads(context, work->point->forward, &move[k], &loads));
+  *out = loads ? MOVED_LOADS : MOVED_NETWORK;
+  return UM_OK;
+}
+
+/* Candidates of a kind in groups of about `most` moves, in their order. *n: candidates so far. */
+static void make_groups_of(struct work *work, const enum moved *moved, const size_t *nmove,
+                           size_t count, enum moved kind, size_t most, size_t *n)
+{
+  size_t moves = most;
   for (size_t i = 0; i < count; i++) {
-    size_t own = um_sensitivity_signature_moves(&work->candidate[i], move);
-    if (own == 0 || !um_sensitivity_moves_heat(work->candidate[i].effect)) continue;
-    if (work->ntask == 0 || moves + own > HEAT_MOVES) {
-      work->task[work->ntask++] = (struct task){.first = n};
+    if (moved[i] != kind) continue;
+    if (moves + nmove[i] > most) {
+      work->task[work->ntask++] = (struct task){.first = *n};
       moves = 0;
     }
     work->task[work->ntask - 1].count++;
-    work->order[n++] = i;
-    moves += own;
+    work->order[(*n)++] = i;
+    moves += nmove[i];
   }
+}
+
+/* Groups of all candidates that may move heat. What moves the loads has a geometry of its own,
+ * which is traced for heat and kept for light: so many are a group as may be open at once, so that
+ * none is traced twice. One whose heat turns out to be none of the group's is left. */
+static enum um_status make_groups(struct um_context *context, struct work *work, size_t count)
+{
+  enum um_status status;
+  enum moved *moved = NULL;
+  size_t *nmove = NULL, n = 0;
+  UM_CHECK(um_core_allocate(context, count, sizeof *moved, &moved));
+  UM_CHECK(um_core_allocate(context, count, sizeof *nmove, &nmove));
+  for (size_t i = 0; i < count; i++) UM_CHECK(moved_by(context, work, i, &moved[i], &nmove[i]));
+  make_groups_of(work, moved, nmove, count, MOVED_NETWORK, HEAT_MOVES, &n);
+  make_groups_of(work, moved, nmove, count, MOVED_LOADS,
+                 um_sensitivity_moves_open(work->point->forward, HEAT_MOVES), &n);
   work->heat = true;
+done:
+  UM_FREE(context, moved, nmove);
+  return status;
 }
 
 /* Every candidate that is left is a task. */
@@ -250,7 +284,7 @@ enum um_status um_sensitivity_signatures_create(struct um_context *context,
     UM_CHECK(um_sensitivity_scan(context, f, &candidate[i], &base));
   if (!point->derivatives && point->naddition == 0)
     UM_CHECK(um_sensitivity_scan_rates(context, f, candidate, count));
-  if (possible) make_groups(&work, count);
+  if (possible) UM_CHECK(make_groups(context, &work, count));
   um_core_progress_begin(context, "signatures of effects", work.ntask + count);
   status = run_tasks(context, &work);
   if (status == UM_OK) {

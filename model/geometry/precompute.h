@@ -71,8 +71,10 @@ enum um_status um_model_precompute_scaled(struct um_context *context, const stru
                                           const struct um_model *model,
                                           const struct um_model_instants *instants,
                                           struct um_model_tables **out);
-/* Memory that it takes, but for some per cent, tables of the body included [bytes]. */
-size_t um_model_tables_bytes(const struct um_model_tables *tables);
+/* Memory that it takes beside `like`, but for some per cent: tables of the body that both share do
+ * not count; like NULL: they do [bytes]. */
+size_t um_model_tables_bytes(const struct um_model_tables *tables,
+                             const struct um_model_tables *like);
 /* Look again: lines of sight of the geometry tables with another number of points per
  * facet, everything else of it as it was; its `sampling` says what runs on it look with. Paths
  * stay the model's where optics.interreflection_samples is 0. UM_ERR_INPUT: no observer, or a

@@ -87,15 +87,16 @@ static size_t factors_bytes(const struct um_geometry_view_factor_table *t)
   return bytes + t->ntime * t->ncorner * (sizeof(uint32_t) + sizeof(double));
 }
 
-size_t um_model_tables_bytes(const struct um_model_tables *p)
+size_t um_model_tables_bytes(const struct um_model_tables *p, const struct um_model_tables *like)
 {
+  bool shared = like != NULL && like->body == p->body;
   size_t mirrored = p->mirrored == NULL
                         ? 0
                         : p->mirrored->begin[p->mirrored->ntime] * sizeof *p->mirrored->sun +
                               p->mirrored->ntime * UM_GEOMETRY_SKY_CELLS * 2 * sizeof(float);
   size_t seen = p->seen != p->loads ? loads_bytes(p->seen) : 0;
   return p->nobs * p->nsub * (sizeof *p->sample + sizeof *p->look) + loads_bytes(p->loads) + seen +
-         loads_bytes(p->spin_variation) + um_irradiation_sky_bytes(p->body->sky) +
-         factors_bytes(p->view_factors) + mirrored + view_bytes(p->view) +
+         loads_bytes(p->spin_variation) + mirrored + view_bytes(p->view) +
+         (shared ? 0 : um_irradiation_sky_bytes(p->body->sky) + factors_bytes(p->view_factors)) +
          (p->loads != NULL ? p->loads->ntime * sizeof *p->load_sample : 0);
 }

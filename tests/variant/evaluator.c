@@ -196,6 +196,23 @@ static void the_bound_holds(void **state)
   um_variant_evaluator_destroy(context, &own);
 }
 
+/* What a geometry shares with the scenario's takes no room of its own. */
+static void what_is_shared_is_not_counted(void **state)
+{
+  (void)state;
+  struct change c;
+  struct um_variant base, open;
+  need(um_variant_base(context, evaluator, &base));
+  const struct um_model_changes changes = key(&c, "environment.albedo", 0.31);
+  need(um_variant_open(context, evaluator, &changes, NULL, &open));
+  size_t all = um_model_tables_bytes(open.tables, NULL),
+         own = um_model_tables_bytes(open.tables, base.tables);
+  assert_true(open.tables != base.tables && open.tables->body == base.tables->body);
+  assert_true(own > 0 && own < all);
+  assert_int_equal(um_variant_evaluator_open_bytes(evaluator), own);
+  um_variant_close(context, &open);
+}
+
 /* Loads of another level are made of the scenario's, not traced. */
 static void levels_are_scaled(void **state)
 {
@@ -300,6 +317,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(only_what_changes_is_computed, set_up, tear_down),
       cmocka_unit_test_setup_teardown(cold_is_a_run_of_its_own, set_up, tear_down),
       cmocka_unit_test_setup_teardown(the_bound_holds, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(what_is_shared_is_not_counted, set_up, tear_down),
       cmocka_unit_test_setup_teardown(levels_are_scaled, set_up, tear_down),
       cmocka_unit_test_setup_teardown(many_are_as_one_by_one, set_up, tear_down)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);

@@ -3,6 +3,7 @@
 #include "evidence/sensitivity/candidates.h"
 #include "evidence/sensitivity/forward_impl.h"
 #include "evidence/sensitivity/moves_impl.h"
+#include "evidence/sensitivity/policy.h"
 #include "model/scenario/scenario_read.h"
 #include "tests/evidence/sensitivity/forward_test.h"
 
@@ -262,6 +263,38 @@ static void test_shared_run(void **state)
   assert_ok(um_sensitivity_moves_find(context, f, move, 2, 1e-3));
   assert_int_equal(f->heat_sensitivities, 2);
   assert_int_equal(f->heat_batches, 1);
+  for (int k = 0; k < 2; k++) { /* and their light finds the geometry of their heat */
+    const struct um_model_addition a = {.effect = move[k].effect, .value = {1.0 + 0.05}};
+    const struct um_model_changes changes = {.addition = &a, .naddition = 1};
+    struct um_variant v;
+    assert_ok(um_variant_open(context, f->evaluator, &changes, NULL, &v));
+    assert_false(v.fresh_geometry);
+    um_variant_close(context, &v);
+  }
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+}
+
+/* Who moves the loads, and how many of those a run has: small ones as many as it likes. */
+static void test_loads(void **state)
+{
+  (void)state;
+  const struct um_sensitivity_move level = {
+      .effect = um_effects_find("albedo_level"), .at = {1.0}, .step = 0.05};
+  const struct um_sensitivity_move power = {
+      .effect = um_effects_find("internal_power"), .target = "bus", .step = 1.0};
+  bool loads;
+  put_world("");
+  struct um_compare_measurements *m = measured();
+  struct um_sensitivity_forward *f = forward_of(NULL, m);
+  assert_ok(um_sensitivity_moves_loads(context, f, &level, &loads));
+  assert_true(loads);
+  assert_ok(um_sensitivity_moves_loads(context, f, &power, &loads));
+  assert_false(loads);
+  assert_int_equal(um_sensitivity_moves_open(f, 8), 8);
+  assert_int_equal(um_sensitivity_moves_open(f, SIZE_MAX),
+                   1 + UM_SENSITIVITY_OPEN /
+                           (1 + um_model_tables_bytes(f->base.tables, f->base.tables)));
   um_sensitivity_forward_destroy(context, &f);
   um_compare_measurements_destroy(context, &m);
 }
@@ -530,6 +563,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_run, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_heaters, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_shared_run, model_set_up, model_tear_down),
+      cmocka_unit_test_setup_teardown(test_loads, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_parts, model_set_up, model_tear_down),
       cmocka_unit_test_setup_teardown(test_few_paths, model_set_up, model_tear_down),
       cmocka_unit_test(test_correction),
