@@ -54,10 +54,8 @@ static enum um_status with_one(struct um_context *context, const struct um_diagn
                                struct um_diagnosis_state *out)
 {
   UM_TRY(um_diagnosis_with(context, work, state, &which, 1, INFINITY, out));
-  if (um_diagnosis_is_rough(&work->candidates->candidate[which])) {
+  if (um_diagnosis_is_rough(&work->candidates->candidate[which]))
     UM_TRY(um_diagnosis_simplex_refine(context, work, out, out->nblock - 1));
-    UM_TRY(um_diagnosis_phase_refine(context, work, out, out->nblock - 1, INFINITY));
-  }
   out->block[out->nblock - 1].addition.target = wanted[which].target; /* outlives the candidate */
   return UM_OK;
 }
