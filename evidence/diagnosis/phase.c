@@ -2,9 +2,12 @@
  * the heater last switched, and the state at the start of a run is not known to a hundredth of a
  * kelvin. So evidence for a heater must not hang on the phase that a scenario happens to end with.
  *
- * An effect is fitted first with the phase not stated. Then phases are scanned, the power and the
- * temperatures as they are; from the best one all are searched together. The phase stays free where
- * BIC, which counts it as a number, falls. */
+ * An effect is fitted first with the phase not stated. Then phases are scanned, and from the best
+ * one all numbers are searched together.
+ *
+ * - Where the effect leads without, its power and temperatures stand, and phases are scanned with
+ *   them alone. The phase stays free where BIC, which counts it as a number, falls by the evidence.
+ * - Where another effect leads, other powers and bands are scanned, too, and BIC has to fall. */
 #include <math.h>
 
 #include "evidence/diagnosis/policy.h"
@@ -84,7 +87,7 @@ static void offer(struct start best[UM_DIAGNOSIS_PHASE_STARTS], const struct sta
 
 /* The best places of a scan, each of another power and band; chi2 INFINITY: there is none. */
 static enum um_status scan(struct um_context *context, const struct um_diagnosis_work *work,
-                           const struct um_diagnosis_state *state, size_t b,
+                           const struct um_diagnosis_state *state, size_t b, bool leads,
                            struct start best[UM_DIAGNOSIS_PHASE_STARTS])
 {
   enum um_status status;
@@ -96,9 +99,9 @@ static enum um_status scan(struct um_context *context, const struct um_diagnosis
   UM_CHECK(um_diagnosis_state_copy(context, state, state->nblock, &trial));
   struct start at = {.chi2 = INFINITY};
   double highest = -INFINITY; /* of the phases with all else as it is */
-  for (size_t k = 0; k < POWERS * BANDS; k++) {
+  for (size_t k = 0; k < (leads ? 1 : POWERS * BANDS); k++) {
     struct start of = {.chi2 = INFINITY};
-    for (size_t i = 0; i < MIDDLES * UM_DIAGNOSIS_PHASES; i++) {
+    for (size_t i = 0; i < (leads ? 1 : MIDDLES) * UM_DIAGNOSIS_PHASES; i++) {
       at.addition = state->block[b].addition;
       scale(c, powers[k / BANDS], bands[k % BANDS], middles[i / UM_DIAGNOSIS_PHASES], &at.addition);
       at.addition.value[phase] = ((double)(i % UM_DIAGNOSIS_PHASES) + 0.5) / UM_DIAGNOSIS_PHASES;
@@ -173,6 +176,7 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
   struct um_diagnosis_state trial = {0}, least = {0};
   struct start start[UM_DIAGNOSIS_PHASE_STARTS];
   size_t p = um_diagnosis_phase_of(c->effect);
+  bool leads = state->fit->bic < lead;
   double now, cost = log((double)work->forward->observations.count);
   if (p == c->effect->nparameter || c->null_value[p] != c->effect->parameters[p].null_value)
     return UM_OK; /* it has none, or the scenario states it */
@@ -180,7 +184,7 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
       !(state->fit->bic < lead + UM_DIAGNOSIS_FAR_BEHIND) || is_vain(work, state, lead))
     return UM_OK;
   UM_TRY(um_diagnosis_chi2(context, work, state, &now));
-  UM_TRY(scan(context, work, state, b, start));
+  UM_TRY(scan(context, work, state, b, leads, start));
   for (size_t i = 0; i < UM_DIAGNOSIS_PHASE_STARTS; i++) {
     double gain = now - start[i].chi2;
     if (i > 0 && !(start[i].chi2 < start[0].chi2 + UM_DIAGNOSIS_BETTER)) break;
@@ -192,7 +196,8 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
     if (trial.fit != NULL) reach(&trial, b, &least);
     um_diagnosis_state_release(context, &trial);
   }
-  if (least.fit != NULL && least.fit->bic < state->fit->bic) swap(state, &least);
+  if (least.fit != NULL && least.fit->bic < state->fit->bic - (leads ? UM_DIAGNOSIS_EVIDENCE : 0.0))
+    swap(state, &least);
 done:
   um_diagnosis_state_release(context, &trial);
   um_diagnosis_state_release(context, &least);

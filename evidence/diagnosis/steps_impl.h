@@ -125,6 +125,12 @@ enum um_status um_diagnosis_phase_refine(struct um_context *context,
                                          const struct um_diagnosis_work *work,
                                          struct um_diagnosis_state *state, size_t b, double lead);
 
+/* Whether a candidate with parameters unidentified under the null cannot come within the evidence
+ * of the winner's BIC, for what its parameters cost: it is no rival, though nobody fitted it. */
+bool um_diagnosis_is_beaten(const struct um_diagnosis_work *work,
+                            const struct um_diagnosis_state *state,
+                            const struct um_sensitivity_candidate *c,
+                            const struct um_diagnosis_alternative *winner);
 /* Whether the winner is an alternative of unknown shape that is on all the time, beside the state,
  * within UM_DIAGNOSIS_SETTLED of chi-square, and has the lower BIC. */
 enum um_status um_diagnosis_contains_winner(struct um_context *context,

@@ -88,7 +88,6 @@ static enum um_status refine(struct um_context *context, const struct um_diagnos
   if (!um_diagnosis_is_rough(&work->candidates->candidate[last])) return UM_OK;
   if (state->fit->bic < trial->lead)
     UM_TRY(um_diagnosis_simplex_refine(context, work, state, state->nblock - 1));
-  if (state->fit->bic < trial->lead) return UM_OK; /* it leads with the phase that it has */
   return um_diagnosis_phase_refine(context, work, state, state->nblock - 1, trial->lead);
 }
 
