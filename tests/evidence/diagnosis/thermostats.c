@@ -69,7 +69,7 @@ struct case_of {
 
 static struct case_of diagnose(const char *with, double sigma, const char *step)
 {
-  struct case_of c = {NULL};
+  struct case_of c = {.measured = NULL};
   static const char *const place[] = {"crate.interior"};
   static const char *const only[] = {"internal_power:crate", "heater:crate.interior",
                                      "interior_capacity:crate"};
