@@ -128,10 +128,10 @@ static bool is_hopeless(const struct um_diagnosis_work *work,
   return ahead->chi2 + slack - k * log(n) < fmin(n - parameters, ahead->chi2 - k);
 }
 
-bool um_diagnosis_is_beaten(const struct um_diagnosis_work *work,
-                            const struct um_diagnosis_state *state,
-                            const struct um_sensitivity_candidate *c,
-                            const struct um_diagnosis_alternative *winner)
+bool um_diagnosis_cannot_tie(const struct um_diagnosis_work *work,
+                             const struct um_diagnosis_state *state,
+                             const struct um_sensitivity_candidate *c,
+                             const struct um_diagnosis_alternative *winner)
 {
   return c->nunidentified > 0 &&
          is_hopeless(work, state, c->nunidentified, winner, UM_DIAGNOSIS_EVIDENCE);
@@ -177,7 +177,7 @@ static bool may_tie(const struct um_diagnosis_work *work, const struct um_diagno
     return false;
   if (c->nunidentified == 0) return r->score.statistic > best - UM_DIAGNOSIS_EVIDENCE;
   return r->score.statistic > fmin(UM_DIAGNOSIS_SHAPE_REACH * best, best - UM_DIAGNOSIS_EVIDENCE) &&
-         !um_diagnosis_is_beaten(work, state, c, ahead);
+         !um_diagnosis_cannot_tie(work, state, c, ahead);
 }
 
 /* Those left that may fit as well, the best score first, up to UM_DIAGNOSIS_TIES: the linear model

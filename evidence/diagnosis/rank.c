@@ -114,11 +114,11 @@ static double own_prior(const struct um_sensitivity_candidate *c,
 /* How an alternative relates to the winner of its step. */
 static void relate(const struct um_diagnosis_alternative *winner,
                    struct um_diagnosis_alternative *r, const struct um_sensitivity_candidate *c,
-                   bool beaten)
+                   bool cannot_tie)
 {
   double behind = r->bic - winner->bic;
   r->indistinguishable = r->fitted && behind < UM_DIAGNOSIS_EVIDENCE;
-  r->not_tried = !r->fitted && !r->refused && !r->score.absorbed && !beaten &&
+  r->not_tried = !r->fitted && !r->refused && !r->score.absorbed && !cannot_tie &&
                  r->chi2_difference < UM_INFERENCE_SEPARABLE &&
                  r->score.statistic > winner->score.statistic - UM_DIAGNOSIS_EVIDENCE;
   if (!r->fitted || r->indistinguishable || !(behind < UM_DIAGNOSIS_NEXT_BEST)) return;
@@ -156,7 +156,7 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
     if (!r->same_effect && r->bic - winner->bic < UM_DIAGNOSIS_NEXT_BEST)
       UM_CHECK(um_diagnosis_contains_winner(context, work, state, winner, r, &r->contains_winner));
     r->same_effect = r->same_effect || r->contains_winner;
-    relate(winner, r, c, um_diagnosis_is_beaten(work, state, c, winner));
+    relate(winner, r, c, um_diagnosis_cannot_tie(work, state, c, winner));
     if (r->same_effect) r->indistinguishable = r->not_tried = false; /* the effect is known */
     not_tried += r->not_tried;
     tied += r->indistinguishable;

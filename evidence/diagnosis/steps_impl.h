@@ -118,19 +118,20 @@ bool um_diagnosis_phase_is_free(const struct um_sensitivity_candidate *c,
                                 const struct um_model_addition *addition);
 /* The phase of block b, which has one, becomes its last free parameter. */
 void um_diagnosis_phase_free(struct um_diagnosis_state *state, size_t b);
-/* Block b of a fitted state: its phase is freed where that lowers BIC, and the state fitted anew.
- * Nothing is done for an effect without a phase, or with one that the scenario states, nor where
- * the state would not come near the BIC `lead`. */
+/* Block b of a fitted state: its phase is freed where that lowers BIC, by UM_DIAGNOSIS_EVIDENCE
+ * where the state is below `lead` without, and the state fitted anew. Nothing is done for an effect
+ * without a phase, or with one that the scenario states, nor where the state would not come near
+ * the BIC `lead`. */
 enum um_status um_diagnosis_phase_refine(struct um_context *context,
                                          const struct um_diagnosis_work *work,
                                          struct um_diagnosis_state *state, size_t b, double lead);
 
 /* Whether a candidate with parameters unidentified under the null cannot come within the evidence
- * of the winner's BIC, for what its parameters cost: it is no rival, though nobody fitted it. */
-bool um_diagnosis_is_beaten(const struct um_diagnosis_work *work,
-                            const struct um_diagnosis_state *state,
-                            const struct um_sensitivity_candidate *c,
-                            const struct um_diagnosis_alternative *winner);
+ * of the winner's BIC, for what its parameters cost: it is not tied, though nobody fitted it. */
+bool um_diagnosis_cannot_tie(const struct um_diagnosis_work *work,
+                             const struct um_diagnosis_state *state,
+                             const struct um_sensitivity_candidate *c,
+                             const struct um_diagnosis_alternative *winner);
 /* Whether the winner is an alternative of unknown shape that is on all the time, beside the state,
  * within UM_DIAGNOSIS_SETTLED of chi-square, and has the lower BIC. */
 enum um_status um_diagnosis_contains_winner(struct um_context *context,

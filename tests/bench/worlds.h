@@ -76,6 +76,8 @@ enum um_status worlds_read(struct um_context *context, const char *path, struct 
 
 /* worlds_judge.c */
 bool worlds_names_match(const char *names, const char *name);
+/* Whether the world hides an effect of that name. */
+bool worlds_is_hidden(const struct worlds_world *world, const char *name);
 double worlds_isolation(const struct worlds_world *world, const struct worlds_answer *answer);
 void worlds_judge(const struct worlds_world *world, const struct worlds_answer *answer,
                   struct worlds_judgement *out);

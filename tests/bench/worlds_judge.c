@@ -41,7 +41,7 @@ static size_t group_with(const char *groups, const char *names)
   return smallest;
 }
 
-static bool is_true(const struct worlds_world *world, const char *name)
+bool worlds_is_hidden(const struct worlds_world *world, const char *name)
 {
   for (size_t i = 0; i < world->nhidden; i++)
     if (worlds_names_match(world->hidden[i].names, name)) return true;
@@ -53,7 +53,7 @@ static bool has_false(const struct worlds_world *world, const char *certain)
   char copy[WORLDS_LONG], *rest = NULL;
   snprintf(copy, sizeof copy, "%s", certain);
   for (char *w = strtok_r(copy, " ", &rest); w != NULL; w = strtok_r(NULL, " ", &rest))
-    if (!is_true(world, w)) return true;
+    if (!worlds_is_hidden(world, w)) return true;
   return false;
 }
 

@@ -6,13 +6,6 @@
 
 static const double edge[WORLDS_BINS + 1] = {0.0, 0.1, 0.3, 0.7, 0.9, 0.99, 1.0};
 
-static bool is_true(const struct worlds_world *world, const char *name)
-{
-  for (size_t i = 0; i < world->nhidden; i++)
-    if (worlds_names_match(world->hidden[i].names, name)) return true;
-  return false;
-}
-
 void worlds_reliability_add(const struct worlds_world *world, const struct worlds_answer *answer,
                             struct worlds_reliability *out)
 {
@@ -24,7 +17,7 @@ void worlds_reliability_add(const struct worlds_world *world, const struct world
       size_t bin = 0;
       while (bin + 1 < WORLDS_BINS && p >= edge[bin + 1]) bin++;
       out->count[bin]++;
-      out->right[bin] += is_true(world, name);
+      out->right[bin] += worlds_is_hidden(world, name);
       out->sum[bin] += p;
     }
     at = strstr(at, " + ");

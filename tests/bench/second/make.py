@@ -120,7 +120,7 @@ def thin(path):
     at = rows[0].index("quantity")
     of, seen = rows[0].index("of"), {}
     with open(path, "w", newline="") as out:
-        for row in rows[:1] + rows[1:]:
+        for row in rows:
             if row[at] == "temperature":
                 seen[row[of]] = seen.get(row[of], -1) + 1
                 if seen[row[of]] % 10:
