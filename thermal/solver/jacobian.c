@@ -44,7 +44,7 @@ static void columns_scan(const struct um_thermal_system *system, size_t *next, i
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
-    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j += own->every)
       for (size_t i = 0; i < at->n; i++) {
         size_t column = system->unknown[sensor->node[j]];
         if (row != NULL) row[next[column]] = (int64_t)system->unknown[at->node[i]];
@@ -90,10 +90,10 @@ static enum um_status slots_build(struct um_thermal_system *system)
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
-    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j += own->every)
       for (size_t i = 0; i < at->n; i++)
-        own->slot[j * at->n + i] = um_thermal_system_slot(system, system->unknown[at->node[i]],
-                                                          system->unknown[sensor->node[j]]);
+        own->slot[j / own->every * at->n + i] = um_thermal_system_slot(
+            system, system->unknown[at->node[i]], system->unknown[sensor->node[j]]);
   }
   return UM_OK;
 }
@@ -159,10 +159,11 @@ static void thermostats_add(const struct um_thermal_system *system, double *valu
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_system_thermostat *own = &system->thermostat[k];
     const struct um_thermal_spread *at = &own->thermostat->at, *sensor = &own->thermostat->sensor;
-    for (size_t j = 0; j < sensor->n && own->slot != NULL; j++)
+    for (size_t j = 0; j < sensor->n && own->slot != NULL; j += own->every)
       for (size_t i = 0; i < at->n; i++)
-        value[own->slot[j * at->n + i]] +=
-            own->slope * at->weight[i] * sensor->weight[j] / system->capacity[at->node[i]];
+        value[own->slot[j / own->every * at->n + i]] += own->slope * own->share * at->weight[i] *
+                                                        sensor->weight[j] /
+                                                        system->capacity[at->node[i]];
   }
 }
 

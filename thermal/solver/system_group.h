@@ -58,7 +58,11 @@ struct um_thermal_system_thermostat {
   bool on;
   double power; /* at the last state [W] */
   double slope; /* of it over the sensor's temperature [W/K]; where heaters are taken as means */
-  size_t *slot; /* [sensor.n][at.n] places in the Jacobian; NULL: left out of it */
+  /* [ceil(sensor.n / every)][at.n] places in the Jacobian; NULL: has no slope. A large block has
+   * every so many-th node of the sensor stand for all, with its weight times `share`. */
+  size_t *slot;
+  size_t every;
+  double share;
 };
 
 /* Width of the transition of a mean thermostat, of its band [1]. */

@@ -18,11 +18,25 @@
 
 #include "thermal/solver/system_group.h"
 
-#define AT_ONCE 1e-6 /* [s] rows this near a stop are passed there */
-#define UNEVEN  2.0  /* intervals whose ratio is larger are a change of spacing */
-#define LARGEST_BLOCK                                                                              \
-  4096 /* entries that one thermostat may add to the Jacobian; more cost                           \
-         more than the shorter steps without them */
+#define AT_ONCE       1e-6 /* [s] rows this near a stop are passed there */
+#define UNEVEN        2.0  /* intervals whose ratio is larger are a change of spacing */
+#define LARGEST_BLOCK 4096 /* entries that one thermostat adds to the Jacobian; more cost more */
+
+/* Which nodes of its sensor have the slope. Nodes that are heated together move together. */
+static enum um_status slope_build(struct um_thermal_system *system,
+                                  struct um_thermal_system_thermostat *own,
+                                  const struct um_thermal_network_thermostat *t)
+{
+  double weight = 0.0;
+  own->every = 1;
+  if (system->kind == UM_SYSTEM_PERIODIC)
+    while (own->every < t->sensor.n && t->at.n * (t->sensor.n / own->every) > LARGEST_BLOCK)
+      own->every++;
+  for (size_t j = 0; j < t->sensor.n; j += own->every) weight += t->sensor.weight[j];
+  own->share = own->every > 1 && weight > 0.0 ? 1.0 / weight : 1.0;
+  size_t sensed = (t->sensor.n + own->every - 1) / own->every;
+  return um_core_allocate(system->context, t->at.n * sensed, sizeof(size_t), &own->slot);
+}
 
 enum um_status um_thermal_system_heat_build(struct um_thermal_system *system)
 {
@@ -43,10 +57,8 @@ enum um_status um_thermal_system_heat_build(struct um_thermal_system *system)
   for (size_t k = 0; k < system->nthermostat; k++) {
     const struct um_thermal_network_thermostat *t = &network->thermostat[k];
     system->thermostat[k].thermostat = t;
-    bool large = t->at.n * t->sensor.n > LARGEST_BLOCK && system->kind == UM_SYSTEM_PERIODIC;
-    if (system->kind == UM_SYSTEM_RUN || large) continue;
-    UM_TRY(um_core_allocate(context, t->at.n * t->sensor.n, sizeof(size_t),
-                            &system->thermostat[k].slot));
+    if (system->kind == UM_SYSTEM_RUN) continue;
+    UM_TRY(slope_build(system, &system->thermostat[k], t));
   }
   return UM_OK;
 }

@@ -347,6 +347,44 @@ static void test_periodic(void **state)
   }
 }
 
+/* The same where heat is made in ninety nodes and sensed in all of them, more entries of the
+ * Jacobian than it holds: a part that one conductor leads through, wrapped well. Nine tenths of its
+ * power are wanted: W/4 ln 9 = 0.17 K below the middle of the band. */
+#define MANY 90
+static void test_many_nodes(void **state)
+{
+  (void)state;
+  const double lost = 0.05 * MANY * (251.5 - T_B);
+  for (int s = 0; s < 3; s++) {
+    struct um_thermal_network *network = help_network();
+    uint32_t cold = help_boundary(network, T_B), node[MANY];
+    double weight[MANY], found[MANY + 1], mean = 0.0;
+    for (int k = 0; k < MANY; k++) {
+      node[k] = help_node(network, 5e4, 220.0 + 30.0 * s);
+      weight[k] = 1.0 / MANY;
+      OK(um_thermal_network_conductor_add(network, node[k], cold, 0.05));
+      if (k > 0) OK(um_thermal_network_conductor_add(network, node[k - 1], node[k], 20.0));
+    }
+    const struct um_thermal_thermostat thermostat = {.node = node,
+                                                     .weight = weight,
+                                                     .nnode = MANY,
+                                                     .power = lost / 0.9,
+                                                     .on = 250.0,
+                                                     .off = 253.0};
+    OK(um_thermal_network_thermostat_add(network, &thermostat));
+    struct um_thermal_solve_options options;
+    um_thermal_solve_defaults(&options);
+    struct um_thermal_periodic report;
+    OK(um_thermal_solve_periodic_report(help_context, network, NULL, &options, NULL, 0.0, 6000.0,
+                                        0.01, found, NULL, NULL, &report));
+    for (int k = 0; k < MANY; k++) mean += weight[k] * found[node[k]];
+    print_message("%d nodes: %.3f K after %zu orbits\n", MANY, mean, report.orbits);
+    NEAR("held by many", mean, 251.5 - 0.25 * 0.3 * log(9.0), 0.02);
+    assert_true(report.orbits <= 15);
+    um_thermal_network_destroy(&network);
+  }
+}
+
 static void test_refused(void **state)
 {
   (void)state;
@@ -384,7 +422,7 @@ int main(void)
       cmocka_unit_test(test_goes_on),     cmocka_unit_test(test_weak),
       cmocka_unit_test(test_twins),       cmocka_unit_test(test_remote_sensor),
       cmocka_unit_test(test_steady),      cmocka_unit_test(test_periodic),
-      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_many_nodes),  cmocka_unit_test(test_refused),
   };
   return cmocka_run_group_tests(tests, help_setup, help_teardown);
 }
