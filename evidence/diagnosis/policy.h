@@ -19,7 +19,8 @@
 
 /* ---- noise, or not (verdict.c) ---- */
 
-/* p below which a residual is not white noise of the stated sigma [1]. Three tests (chi-square,
+/* p below which a residual is not white noise of the stated sigma [1], and rows set aside that
+ * follow one another are no accidents. Three tests (chi-square,
  * autocorrelation, worst channel) refuse a complete model in at most 0.3 %. LAB: 1 of 200, where
  * 0.6 are expected. */
 #define UM_DIAGNOSIS_NOT_NOISE 1e-3

@@ -41,13 +41,29 @@ static bool is_large(const struct um_diagnosis *d, const struct um_diagnosis_sca
          (heat ? s->rms > UM_DIAGNOSIS_LARGE_TEMPERATURE : s->share > UM_DIAGNOSIS_LARGE_LIGHT);
 }
 
-/* Whether so many rows of a channel were set aside that they are no accidents. */
+static bool is_aside(const struct um_diagnosis *d, size_t row)
+{
+  for (size_t i = 0; i < d->noutlier; i++)
+    if (d->outlier[i] == row) return true;
+  return false;
+}
+
+/* Whether rows of a channel that were set aside are no accidents: they are too many, or more of
+ * them follow one another than by chance. A run of k begins at one of n rows by n (share)^k. */
 static bool are_outliers_many(const struct um_diagnosis *d, size_t channel)
 {
   const struct um_compare_measurements *m = d->forward->measurements;
-  size_t n = 0;
-  for (size_t i = 0; i < d->noutlier; i++) n += m->row[d->outlier[i]].channel == channel;
-  return (double)n > UM_DIAGNOSIS_LARGE_OUTLIERS * (double)m->channel[channel].count;
+  size_t n = 0, run = 0, longest = 0;
+  for (size_t r = 0; r < m->count; r++) {
+    if (m->row[r].channel != channel) continue;
+    bool aside = is_aside(d, r);
+    n += aside;
+    run = aside ? run + 1 : 0;
+    if (run > longest) longest = run;
+  }
+  double count = (double)m->channel[channel].count, share = (double)n / count;
+  return share > UM_DIAGNOSIS_LARGE_OUTLIERS ||
+         (longest > 1 && count * pow(share, (double)longest) < UM_DIAGNOSIS_NOT_NOISE);
 }
 
 bool um_diagnosis_discrepancy_is_large(const struct um_diagnosis *d)

@@ -133,7 +133,8 @@ done:
 
 /* --- environment ----------------------------------------------------------------------------- */
 
-/* Does a use with default values leave the environment, which is all that it acts on, as it is? */
+/* Does a use leave the environment, which is all that it acts on, as it is? With default values, or
+ * a prior width from nothing where these do nothing. */
 static enum um_status leaves_environment(struct um_context *context, const struct um_model *model,
                                          const struct um_effect *effect, bool *out)
 {
@@ -146,7 +147,11 @@ static enum um_status leaves_environment(struct um_context *context, const struc
   if (effect->on_by_default || effect->hooks.environment == NULL ||
       memcmp(&rest, &none, sizeof rest) != 0)
     return UM_OK;
-  for (size_t p = 0; p < effect->nparameter; p++) value[p] = effect->parameters[p].default_value;
+  for (size_t p = 0; p < effect->nparameter; p++) {
+    const struct um_effect_parameter *of = &effect->parameters[p];
+    bool idle = of->default_value == of->null_value;
+    value[p] = of->default_value + (idle ? of->prior_sigma : 0.0);
+  }
   const struct um_effect_use use = {.effect = effect, .value = value};
   memcpy(&changed, &model->environment, sizeof changed);
   if (effect->hooks.environment(context, &use, &changed) != UM_OK) { /* refused: said elsewhere */

@@ -2,6 +2,7 @@
  * model. Nobody is accused for them, an effect is still named beside them, and they are said. */
 #define PLATE_STEP "5"
 #include "base/core/constants.h"
+#include "evidence/diagnosis/steps_impl.h"
 #include "tests/evidence/diagnosis/plate_diagnosis_test.h"
 
 static const char *const looked_for[] = {
@@ -70,6 +71,29 @@ static void test_too_many_spikes(void **state)
   (void)state;
   struct diagnosed c = diagnose(&(struct lists){.only = looked_for, .spoil = often_off});
   assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
+  end(&c);
+}
+
+/* Four rows of a channel are set aside, every `apart`-th of its 144. */
+static bool are_accidents(struct diagnosed *c, size_t apart)
+{
+  size_t outlier[4], nth = 0, n = 0;
+  for (size_t i = 0; i < c->measured->count && n < 4; i++)
+    if (c->measured->row[i].channel == 0 && nth++ % apart == 0) outlier[n++] = i;
+  struct um_diagnosis own = *c->d;
+  own.outlier = outlier;
+  own.noutlier = n;
+  return !um_diagnosis_discrepancy_is_large(&own);
+}
+
+/* That they follow one another by chance has odds of 1e-4: it is the edge of a shadow that lies
+ * elsewhere. */
+static void test_run_of_outliers(void **state)
+{
+  (void)state;
+  struct diagnosed c = diagnose(&(struct lists){.only = looked_for});
+  assert_true(are_accidents(&c, 9) && are_accidents(&c, 2));
+  assert_false(are_accidents(&c, 1));
   end(&c);
 }
 
@@ -212,6 +236,7 @@ int main(void)
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_understated),
                                      cmocka_unit_test(test_spikes),
                                      cmocka_unit_test(test_too_many_spikes),
+                                     cmocka_unit_test(test_run_of_outliers),
                                      cmocka_unit_test(test_discrepancy),
                                      cmocka_unit_test(test_resembling),
                                      cmocka_unit_test(test_effect_beside_it),

@@ -214,20 +214,22 @@ static void test_interiors(void **state)
 }
 
 /* An effect whose hook leaves the environment as it is has nothing to act on: cloud in the mirror
- * of an Earth that is the same everywhere. A switch that is off stays a candidate. */
+ * of an Earth that is the same everywhere. A switch that is off stays a candidate, and so does an
+ * effect whose default values do nothing. */
 static void test_environment(void **state)
 {
   (void)state;
-  static const char *const only[] = {"cloud_in_mirror", "albedo_level", "earth_map"};
+  static const char *const only[] = {"cloud_in_mirror", "albedo_level", "earth_map", "shadow_air"};
   static const char *const knocke[] = {"environment.earth=knocke"};
   put_world("");
   struct um_compare_measurements *m = measured();
   for (int varied = 0; varied < 2; varied++) {
     const struct um_model_options options = {.overrides = knocke, .noverride = (size_t)varied};
     struct um_sensitivity_forward *f = forward_of(&options, m);
-    struct um_sensitivity_candidates *list = candidates_of(f, only, 3);
-    assert_int_equal(list->count, 2);
+    struct um_sensitivity_candidates *list = candidates_of(f, only, 4);
+    assert_int_equal(list->count, 3);
     named(list, "albedo_level");
+    named(list, "shadow_air");
     named(list, varied ? "cloud_in_mirror" : "earth_map");
     um_sensitivity_candidates_destroy(context, &list);
     um_sensitivity_forward_destroy(context, &f);
