@@ -43,13 +43,9 @@ static bool is_same_amplitude(const struct um_sensitivity_candidate *plain,
 static void put_always_on(const struct um_sensitivity_candidate *shaped,
                           const struct um_diagnosis_alternative *r, double amplitude, double *at)
 {
-  size_t phase = um_diagnosis_phase_of(shaped->effect);
   memcpy(at, r->value, sizeof r->value);
   at[shaped->parameter[0]] = shaped->null_value[shaped->parameter[0]] + amplitude;
-  for (size_t s = 0; s < shaped->nunidentified; s++)
-    if (shaped->effect->parameters[shaped->unidentified[s]].is_temperature)
-      at[shaped->unidentified[s]] = shaped->maximum[shaped->unidentified[s]];
-  if (phase < shaped->effect->nparameter) at[phase] = shaped->null_value[phase];
+  um_diagnosis_always_on(shaped, at);
 }
 
 enum um_status um_diagnosis_contains_winner(struct um_context *context,

@@ -30,10 +30,9 @@ static const double powers[] = {1.0, 1.5, 2.5, 4.0, 10.0};
 /* Sides of the simplices [1], in units of `side`; one simplex after another. */
 static const double sizes[] = {1.0, -1.0, 0.3, 2.0, -0.3, -2.0};
 
-/* The best amplitude by the linear model. */
-static double linear_amplitude(const struct um_diagnosis_work *work,
-                               const struct um_diagnosis_state *state,
-                               const struct um_sensitivity_candidate *c)
+double um_diagnosis_linear_amplitude(const struct um_diagnosis_work *work,
+                                     const struct um_diagnosis_state *state,
+                                     const struct um_sensitivity_candidate *c)
 {
   double dot = 0.0, square = 0.0;
   for (size_t j = 0; j < work->forward->observations.count; j++) {
@@ -133,7 +132,8 @@ enum um_status um_diagnosis_start(struct um_context *context, const struct um_di
       &work->candidates->candidate[state->block[b].candidate];
   double *value = state->block[b].addition.value, found[UM_EFFECT_PARAMETERS_MAX];
   const struct um_diagnosis_shape *shape = &work->shape[state->block[b].candidate];
-  double amplitude = linear_amplitude(work, before, c), lowest = INFINITY, chi2, known = NAN;
+  double amplitude = um_diagnosis_linear_amplitude(work, before, c), lowest = INFINITY, chi2,
+         known = NAN;
   struct um_model_addition *all = NULL;
   struct unidentified measured;
   double *rows = NULL;

@@ -22,7 +22,8 @@ size_t um_diagnosis_tested(const struct um_diagnosis *d)
   return n > 0 ? n : 1;
 }
 
-/* Shares of the alternatives of a step, and of the scenario without any of them. */
+/* Shares of the alternatives of a step, and of the scenario without any of them. What is the winner
+ * by another name has none of its own. */
 static void share(struct um_diagnosis_step *step, double one, double nothing)
 {
   if (step->nalternative == 0) return;
@@ -30,7 +31,7 @@ static void share(struct um_diagnosis_step *step, double one, double nothing)
   double sum = nothing * exp(-0.5 * (without - best));
   for (size_t i = 0; i < step->nalternative; i++) {
     struct um_diagnosis_alternative *r = &step->alternative[i];
-    r->probability = r->fitted ? one * exp(-0.5 * (r->bic - best)) : 0.0;
+    r->probability = r->fitted && !r->contains_winner ? one * exp(-0.5 * (r->bic - best)) : 0.0;
     sum += r->probability;
   }
   for (size_t i = 0; i < step->nalternative; i++) step->alternative[i].probability /= sum;

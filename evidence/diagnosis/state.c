@@ -120,11 +120,20 @@ static size_t iterations(const struct um_diagnosis_work *work,
   return 0;
 }
 
+/* What BIC asks for numbers that are not free because nothing tells of them. */
+static double of_held(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state)
+{
+  size_t n = 0;
+  for (size_t b = 0; b < state->nblock; b++) n += state->block[b].nheld;
+  return (double)n * log((double)work->forward->observations.count);
+}
+
 /* The chi-square of observations and priors that makes this BIC. */
 static double chi2_of_bic(const struct um_diagnosis_work *work,
                           const struct um_diagnosis_state *state, double bic)
 {
-  return bic - (double)state->nparameter * log((double)work->forward->observations.count);
+  return bic - (double)state->nparameter * log((double)work->forward->observations.count) -
+         of_held(work, state);
 }
 
 enum um_status um_diagnosis_noise_take(struct um_context *context, struct um_diagnosis_work *work,
@@ -192,6 +201,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .prune_above = chi2_of_bic(work, state, prune_above)};
   UM_CHECK(um_inference_fit_create(context, &problem, &fit));
   if (work->noise != NULL) UM_CHECK(judge_by_own_noise(context, work, fit));
+  fit->bic += of_held(work, state);
   um_diagnosis_additions_at(state, fit->x, e.addition);
   for (size_t b = 0; b < state->nblock; b++) state->block[b].addition = e.addition[b];
   um_inference_fit_destroy(context, &state->fit);

@@ -45,6 +45,7 @@ struct um_diagnosis_block {
   struct um_model_addition addition; /* parameters that are not free stay as they are here */
   size_t candidate;                  /* of the candidates; UM_COMPARE_NOWHERE: a nuisance */
   size_t nfree;                      /* 0 for a switch */
+  size_t nheld; /* more numbers that BIC counts, though nothing tells of them (always_on.c) */
   size_t parameter[UM_EFFECT_PARAMETERS_MAX];   /* [nfree] of the effect's */
   double prior_mean[UM_EFFECT_PARAMETERS_MAX];  /* [nfree] transformed, as are the next two */
   double prior_sigma[UM_EFFECT_PARAMETERS_MAX]; /* [nfree] */

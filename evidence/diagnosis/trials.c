@@ -9,29 +9,28 @@
 
 #define NAMED 2 /* trials, in their progress */
 
-/* The Jacobian of the state's fit, with the signatures of candidates behind it; by transformed
- * parameters. */
+/* The Jacobian of the state's fit, with the signatures of the candidates behind it that `with` has;
+ * by transformed parameters. */
 static enum um_status jacobian_with(struct um_context *context,
                                     const struct um_diagnosis_work *work,
-                                    const struct um_diagnosis_state *state, const size_t *candidate,
-                                    size_t ncandidate, double **out)
+                                    const struct um_diagnosis_state *state,
+                                    const struct um_diagnosis_state *with, double **out)
 {
-  size_t n = work->forward->observations.count, columns = state->nparameter, at = 0;
-  for (size_t i = 0; i < ncandidate; i++)
-    columns += um_diagnosis_block_of(work, candidate[i]).nfree;
-  UM_TRY(um_core_allocate(context, columns * n, sizeof **out, out));
+  size_t n = work->forward->observations.count, at = 0;
+  UM_TRY(um_core_allocate(context, with->nparameter * n, sizeof **out, out));
   for (; at < state->nparameter; at++)
     for (size_t j = 0; j < n; j++)
       (*out)[at * n + j] = state->fit->jacobian[at * n + j] * work->forward->observations.sigma[j];
-  for (size_t i = 0; i < ncandidate; i++) {
-    const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
+  for (size_t b = state->nblock; b < with->nblock; b++) {
+    const struct um_sensitivity_candidate *c =
+        &work->candidates->candidate[with->block[b].candidate];
     for (size_t k = 0; k < c->ncolumn && !c->is_switch; k++) {
       size_t p = c->parameter[k];
       double slope = um_effect_transformed_slope(&c->effect->parameters[p], c->null_value[p]);
       for (size_t j = 0; j < n; j++) (*out)[(at + k) * n + j] = slope * c->signature[k * n + j];
     }
     /* parameters unidentified under the null do nothing yet: zeros */
-    at += um_diagnosis_block_of(work, candidate[i]).nfree;
+    at += with->block[b].nfree;
   }
   return UM_OK;
 }
@@ -56,20 +55,26 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
 {
   enum um_status status;
   double *jacobian = NULL;
-  bool switched = false;
-  bool shaped = false;
+  bool switched = false, shaped = false, seen;
   UM_CHECK(blocks_with(context, work, state, candidate, ncandidate, out));
   for (size_t i = 0; i < ncandidate; i++) {
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
     switched = switched || c->is_switch;
     if (c->nunidentified == 0) continue;
+    if (um_diagnosis_is_rough(c)) {
+      UM_CHECK(um_diagnosis_cycle_is_seen(context, work, state, out, state->nblock + i, &seen));
+      if (!seen) {
+        um_diagnosis_hold_on(work, out, state->nblock + i);
+        continue;
+      }
+    }
     shaped = true;
     if (um_diagnosis_is_rough(c))
       UM_CHECK(um_diagnosis_start(context, work, state, out, state->nblock + i));
     else
       UM_CHECK(um_diagnosis_start_along(context, work, state, out, state->nblock + i));
   }
-  if (!shaped) UM_CHECK(jacobian_with(context, work, state, candidate, ncandidate, &jacobian));
+  if (!shaped) UM_CHECK(jacobian_with(context, work, state, out, &jacobian));
   /* a switch is on from the start, so the state's values are not those of the start */
   UM_CHECK(um_diagnosis_state_fit(context, work, out, switched || shaped ? NULL : state->fit->value,
                                   jacobian, prune_above));
@@ -85,7 +90,10 @@ static enum um_status refine(struct um_context *context, const struct um_diagnos
                              struct um_diagnosis_state *state)
 {
   size_t last = trial->candidate[trial->ncandidate - 1];
-  if (!um_diagnosis_is_rough(&work->candidates->candidate[last])) return UM_OK;
+  const struct um_sensitivity_candidate *c = &work->candidates->candidate[last];
+  if (!um_diagnosis_is_rough(c) ||
+      um_diagnosis_is_held_on(c, &state->block[state->nblock - 1].addition))
+    return UM_OK;
   if (state->fit->bic < trial->lead)
     UM_TRY(um_diagnosis_simplex_refine(context, work, state, state->nblock - 1));
   return um_diagnosis_phase_refine(context, work, state, state->nblock - 1, trial->lead);
@@ -99,7 +107,8 @@ struct job {
   struct um_diagnosis_trial *trial; /* [n] */
 };
 
-/* 1 where it is refused, else 0, the values of each block, and the fit. */
+/* 1 where it is refused, else 0, how many parameters of each block are free, its values, and the
+ * fit. */
 static size_t room(const struct job *job, const struct um_diagnosis_trial *trial)
 {
   size_t nparameter = job->state->nparameter;
@@ -108,7 +117,7 @@ static size_t room(const struct job *job, const struct um_diagnosis_trial *trial
     const struct um_effect *effect = block.addition.effect;
     nparameter += block.nfree + (um_diagnosis_phase_of(effect) < effect->nparameter);
   }
-  return 1 + (job->state->nblock + trial->ncandidate) * UM_EFFECT_PARAMETERS_MAX +
+  return 1 + (job->state->nblock + trial->ncandidate) * (1 + UM_EFFECT_PARAMETERS_MAX) +
          um_inference_fit_packed(job->work->forward->observations.count, nparameter);
 }
 
@@ -122,8 +131,10 @@ static enum um_status compute(struct um_context *context, void *user, size_t whi
   bool refused = status == UM_ERR_REFUSED || status == UM_ERR_NUMERIC;
   if (status == UM_OK) status = refine(context, job->work, trial, &state);
   *value++ = refused;
-  for (size_t b = 0; status == UM_OK && b < state.nblock; b++, value += UM_EFFECT_PARAMETERS_MAX)
+  for (size_t b = 0; status == UM_OK && b < state.nblock; b++, value += UM_EFFECT_PARAMETERS_MAX) {
+    *value++ = (double)state.block[b].nfree;
     memcpy(value, state.block[b].addition.value, sizeof state.block[b].addition.value);
+  }
   if (status == UM_OK) um_inference_fit_pack(state.fit, value);
   um_diagnosis_state_release(context, &state);
   if (!refused) return status;
@@ -148,12 +159,12 @@ static enum um_status done(struct um_context *context, void *user, size_t which,
   trial->refused = *value++ != 0.0;
   if (trial->refused) return UM_OK;
   UM_TRY(blocks_with(context, job->work, job->state, trial->candidate, trial->ncandidate, state));
-  for (size_t b = 0; b < state->nblock; b++, value += UM_EFFECT_PARAMETERS_MAX)
+  for (size_t b = 0; b < state->nblock; b++, value += UM_EFFECT_PARAMETERS_MAX) {
+    double nfree = *value++;
+    if (nfree < (double)state->block[b].nfree) um_diagnosis_hold_on(job->work, state, b);
+    if (nfree > (double)state->block[b].nfree) um_diagnosis_phase_free(state, b);
     memcpy(state->block[b].addition.value, value, sizeof state->block[b].addition.value);
-  for (size_t b = job->state->nblock; b < state->nblock; b++)
-    if (um_diagnosis_phase_is_free(&job->work->candidates->candidate[state->block[b].candidate],
-                                   &state->block[b].addition))
-      um_diagnosis_phase_free(state, b);
+  }
   return um_inference_fit_unpack(context, value, job->work->forward->observations.count,
                                  state->nparameter, &state->fit);
 }
