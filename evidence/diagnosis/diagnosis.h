@@ -120,7 +120,7 @@ struct um_diagnosis_sceptic {
                     NaN: neither half sees it */
   double search_p; /* of noise, that the search among all candidates finds as much */
   size_t variations,
-      flips;            /* one row, one channel, one prior changed; those that change the verdict */
+      flips; /* a row, a channel, a prior, the noise changed; those that alter the verdict */
   const char *flips_by; /* what changes it first; NULL: nothing; borrowed */
   bool has_else;        /* were it not in the catalogue, another would be next: */
   size_t else_candidate;

@@ -1,5 +1,6 @@
 /* On what a verdict hangs: one channel or one row is left out, one prior of a nuisance is half or
- * twice as wide, and the linear model says by how much chi-square less ln n a parameter then
+ * twice as wide, all rows of a channel have the same sigma, or what is left goes together along
+ * another coordinate, and the linear model says by how much chi-square less ln n a parameter then
  * changes, of the effect and of its alternatives. Their BIC as fitted moves by that. */
 #include <math.h>
 #include <string.h>
@@ -136,6 +137,92 @@ static enum um_status vary_priors(struct um_context *context, const struct um_di
   return UM_OK;
 }
 
+/* Root of the mean square of a channel's sigmas. */
+static double sigma_of(const struct um_sensitivity_observations *o, size_t channel)
+{
+  double sum = 0.0, rows = 0.0;
+  for (size_t j = 0; j < o->count; j++) {
+    if (o->channel[j] != channel) continue;
+    sum += o->sigma[j] * o->sigma[j];
+    rows += 1.0;
+  }
+  return sqrt(sum / fmax(rows, 1.0));
+}
+
+/* White noise whose sigma is the same for all rows of a channel. */
+static enum um_status vary_sigma(struct um_context *context, const struct um_diagnosis_doubt *s,
+                                 struct changed *to, struct variations *v)
+{
+  const struct um_sensitivity_observations *o = &s->work->forward->observations;
+  size_t k = s->without.nparameter;
+  const struct um_inference_nuisance these = {k, to->nuisance, s->d.nuisance.prior_sigma};
+  for (size_t c = 0; c < s->work->forward->measurements->nchannel; c++) {
+    double same = sigma_of(o, c);
+    for (size_t j = 0; j < s->n; j++) {
+      if (o->channel[j] != c) continue;
+      double weight = o->sigma[j] / same;
+      to->residual[j] = weight * s->residual[j];
+      for (size_t i = 0; i < k; i++)
+        to->nuisance[i * s->n + j] = weight * s->d.nuisance.column[i * s->n + j];
+      for (size_t i = 0; i < to->columns; i++)
+        to->column[i * s->n + j] = weight * s->d.column[i * s->n + j];
+    }
+  }
+  UM_TRY(um_inference_score_test(context, s->n, to->residual, &these, s->work->candidates->count,
+                                 to->direction, v->now));
+  judge(s, v, "one sigma for all rows");
+  return UM_OK;
+}
+
+/* The same tests where every discrepancy of a channel goes along this coordinate. */
+static enum um_status test_kind(struct um_context *context, const struct um_diagnosis_doubt *s,
+                                size_t kind, struct um_inference_noise_channel *channel,
+                                double *residual, struct um_inference_score *out)
+{
+  struct um_diagnosis_work work = *s->work;
+  struct um_inference_noise noise = *s->work->noise;
+  struct um_diagnosis_directions d = {0};
+  memcpy(channel, noise.channel, noise.family->nchannel * sizeof *channel);
+  for (size_t c = 0; c < noise.family->nchannel; c++) channel[c].kind = kind;
+  noise.channel = channel;
+  work.noise = &noise;
+  enum um_status status = um_diagnosis_directions_make(context, &work, &s->without, &d);
+  if (status == UM_OK) {
+    um_diagnosis_residual_at_means(&work, &s->without, s->n, residual);
+    status = um_inference_score_test(context, s->n, residual, &d.nuisance, work.candidates->count,
+                                     d.direction, out);
+  }
+  um_diagnosis_directions_release(context, &d);
+  return status;
+}
+
+/* Each coordinate in place of those along which discrepancies were found to go. */
+static enum um_status vary_kind(struct um_context *context, const struct um_diagnosis_doubt *s,
+                                struct changed *changed, struct variations *v)
+{
+  enum um_status status = UM_OK;
+  const struct um_inference_noise *noise = s->work->noise;
+  struct um_inference_noise_channel *channel = NULL;
+  UM_TRY(um_core_allocate(context, noise->family->nchannel, sizeof *channel, &channel));
+  for (size_t kind = 0; kind < noise->family->nkind && status == UM_OK; kind++) {
+    bool other = false;
+    for (size_t c = 0; c < noise->family->nchannel; c++)
+      other = other || (noise->channel[c].ratio > 0.0 && noise->channel[c].kind != kind);
+    if (!other) continue;
+    status = test_kind(context, s, kind, channel, changed->residual, v->now);
+    if (status == UM_OK) judge(s, v, "another correlation");
+  }
+  um_core_free(context, channel);
+  return status;
+}
+
+static enum um_status vary_noise(struct um_context *context, const struct um_diagnosis_doubt *s,
+                                 struct changed *changed, struct variations *v)
+{
+  return s->work->noise == NULL ? vary_sigma(context, s, changed, v)
+                                : vary_kind(context, s, changed, v);
+}
+
 enum um_status um_diagnosis_influence(struct um_context *context,
                                       const struct um_diagnosis_doubt *s,
                                       const struct um_diagnosis_step *step,
@@ -155,6 +242,7 @@ enum um_status um_diagnosis_influence(struct um_context *context,
   UM_CHECK(vary_channels(context, s, &changed, kept, &v));
   UM_CHECK(vary_rows(context, s, &changed, kept, &v));
   UM_CHECK(vary_priors(context, s, &changed, &v));
+  UM_CHECK(vary_noise(context, s, &changed, &v));
 done:
   UM_FREE(context, v.at_first, v.now, kept);
   changed_release(context, &changed);

@@ -3,7 +3,7 @@
  *
  *   frozen      its values from one half of the time before the other half (frozen.c)
  *   search      the least p among all candidates in draws of noise (base/inference/search_p.c)
- *   influence   its lead with one channel, one row, one prior's width changed (influence.c)
+ *   influence   its lead with a channel, a row, a prior's width, the noise changed (influence.c)
  *   open set    what would be said, were it not in the catalogue */
 #include <math.h>
 #include <string.h>

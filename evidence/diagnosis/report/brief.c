@@ -131,7 +131,7 @@ static void say_sceptic(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMM
   else
     snprintf(frozen, sizeof frozen, "half of the time foretells the rest by %.3g sigma", s->frozen);
   if (s->flips == 0)
-    snprintf(flips, sizeof flips, "none of %zu changes of a row, channel or prior alters",
+    snprintf(flips, sizeof flips, "none of %zu changes of a row, channel, prior or noise alters",
              s->variations);
   else
     snprintf(flips, sizeof flips, "%zu of %zu changes (%s) alter%s", s->flips, s->variations,

@@ -190,11 +190,12 @@ static void print_sceptic(FILE *file, const struct um_diagnosis *d)
             s->frozen);
   fprintf(file, "  search: noise alone does as well in %s %.2g of searches\n",
           s->search_p * (UM_DIAGNOSIS_DRAWS + 1) < 1.5 ? "less than" : "some", s->search_p);
-  fprintf(file,
-          "  influence: %zu of %zu changes of one row, channel or prior would change what is "
-          "named%s%s\n",
-          s->flips, s->variations, s->flips_by != NULL ? ", first " : "",
-          s->flips_by != NULL ? s->flips_by : "");
+  fprintf(
+      file,
+      "  influence: %zu of %zu changes of a row, channel, prior or the noise would change what is "
+      "named%s%s\n",
+      s->flips, s->variations, s->flips_by != NULL ? ", first " : "",
+      s->flips_by != NULL ? s->flips_by : "");
   if (s->has_else)
     fprintf(
         file,
