@@ -11,6 +11,14 @@
 
 #define STRONG 10.0 /* power that shows the cycle [of what the linear model wants] */
 
+/* Whether it switches by the temperature of its place. */
+static bool is_thermostat(const struct um_sensitivity_candidate *c)
+{
+  for (size_t s = 0; s < c->nunidentified; s++)
+    if (c->effect->parameters[c->unidentified[s]].is_temperature) return true;
+  return false;
+}
+
 void um_diagnosis_always_on(const struct um_sensitivity_candidate *c, double *value)
 {
   size_t phase = um_diagnosis_phase_of(c->effect);
@@ -34,7 +42,7 @@ void um_diagnosis_hold_on(const struct um_diagnosis_work *work, struct um_diagno
 bool um_diagnosis_is_held_on(const struct um_sensitivity_candidate *c,
                              const struct um_model_addition *addition)
 {
-  bool held = um_diagnosis_is_rough(c);
+  bool held = is_thermostat(c);
   for (size_t s = 0; s < c->nunidentified; s++) {
     size_t p = c->unidentified[s];
     if (c->effect->parameters[p].is_temperature) held = held && addition->value[p] >= c->maximum[p];
@@ -72,6 +80,7 @@ enum um_status um_diagnosis_cycle_is_seen(struct um_context *context,
   struct um_model_addition *all = NULL;
   double *value = NULL;
   *out = true;
+  if (!is_thermostat(c)) return UM_OK; /* other shapes do not hide behind an amplitude */
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *all, &all));
   UM_CHECK(um_core_allocate(context, work->forward->observations.count, sizeof *value, &value));
   um_diagnosis_state_additions(state, all);

@@ -5,8 +5,8 @@
  * thread, so that the work is compared, not how well it is shared. Memory is that of the largest
  * process of the diagnosis, beside that of the run.
  *
- * `--without heater` leaves thermostats out of the catalogue: a run in which one cycles costs 10 to
- * 40 others, and a fit of one tens of such runs. With them it takes hours. */
+ * `--without heater` leaves thermostats out of the catalogue: more than half of the time goes to
+ * those whose cycle may be seen, each a scan of runs and a fit. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
