@@ -99,6 +99,7 @@ static void test_kills(void **state)
     if (c.code != 0 && c.code != 128 + signals[i % 3])
       fail_msg("kill %d: exit %d, it said:\n%s%s", i, c.code, c.out, c.err);
     ended += c.code != 0;
+    if (c.code == 0 && after < whole) whole = after; /* the first one was slower than they are */
     command_release(&c);
     expect_no_process(here, i);
     expect_whole(curve, i);
