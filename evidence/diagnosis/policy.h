@@ -20,9 +20,8 @@
 /* ---- noise, or not (verdict.c) ---- */
 
 /* p below which a residual is not white noise of the stated sigma [1], and rows set aside that
- * follow one another are no accidents. Three tests (chi-square,
- * autocorrelation, worst channel) refuse a complete model in at most 0.3 %. LAB: 1 of 200, where
- * 0.6 are expected. */
+ * follow one another are no accidents. Three tests (chi-square, autocorrelation, worst channel)
+ * refuse a complete model in at most 0.3 %. LAB: 1 of 200, where 0.6 are expected. */
 #define UM_DIAGNOSIS_NOT_NOISE 1e-3
 /* Reduced chi-square [1] of all, and of a channel, up to which an effect suffices though the rest
  * is not quite noise. HAND: the model is never exact. 1.25 is 2.8 standard deviations sqrt(2 / n)

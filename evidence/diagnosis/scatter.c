@@ -49,7 +49,8 @@ static bool is_aside(const struct um_diagnosis *d, size_t row)
 }
 
 /* Whether rows of a channel that were set aside are no accidents: they are too many, or more of
- * them follow one another than by chance. A run of k begins at one of n rows by n (share)^k. */
+ * them follow one another than by chance. A run of k begins at one of n rows by n (share)^k; two
+ * together may be one accident (base/inference/noise.h). */
 static bool are_outliers_many(const struct um_diagnosis *d, size_t channel)
 {
   const struct um_compare_measurements *m = d->forward->measurements;
@@ -63,7 +64,7 @@ static bool are_outliers_many(const struct um_diagnosis *d, size_t channel)
   }
   double count = (double)m->channel[channel].count, share = (double)n / count;
   return share > UM_DIAGNOSIS_LARGE_OUTLIERS ||
-         (longest > 1 && count * pow(share, (double)longest) < UM_DIAGNOSIS_NOT_NOISE);
+         (longest > 2 && count * pow(share, (double)longest) < UM_DIAGNOSIS_NOT_NOISE);
 }
 
 bool um_diagnosis_discrepancy_is_large(const struct um_diagnosis *d)

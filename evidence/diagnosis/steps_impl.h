@@ -86,28 +86,6 @@ enum um_status um_diagnosis_rank_groups(struct um_context *context,
                                         const struct um_diagnosis_state *state,
                                         const double *signal, struct um_diagnosis_step *step);
 
-/* The amplitude, beyond nothing, that the linear model wants of a candidate beside a fitted state.
- */
-double um_diagnosis_linear_amplitude(const struct um_diagnosis_work *work,
-                                     const struct um_diagnosis_state *state,
-                                     const struct um_sensitivity_candidate *c);
-
-/* always_on.c: values of a candidate with temperatures between which it switches, out of reach of
- * them: it is on all the time. */
-void um_diagnosis_always_on(const struct um_sensitivity_candidate *c, double *value);
-/* Whether the cycle of block b of a state, a rough candidate that was added to the fitted state
- * `before`, can be seen. It takes one run. */
-enum um_status um_diagnosis_cycle_is_seen(struct um_context *context,
-                                          const struct um_diagnosis_work *work,
-                                          const struct um_diagnosis_state *before,
-                                          const struct um_diagnosis_state *state, size_t b,
-                                          bool *out);
-/* Block b, which is not fitted yet, is on all the time, and its amplitude alone is free. */
-void um_diagnosis_hold_on(const struct um_diagnosis_work *work, struct um_diagnosis_state *state,
-                          size_t b);
-bool um_diagnosis_is_held_on(const struct um_sensitivity_candidate *c,
-                             const struct um_model_addition *addition);
-
 /* Start values of block b of a state, a candidate that was added to the fitted state `before`, by
  * the linear model: where rates begin to matter. */
 enum um_status um_diagnosis_start_along(struct um_context *context,
@@ -124,8 +102,8 @@ double um_diagnosis_linear_amplitude(const struct um_diagnosis_work *work,
 /* always_on.c: values of a candidate with temperatures between which it switches, out of reach of
  * them: it is on all the time. */
 void um_diagnosis_always_on(const struct um_sensitivity_candidate *c, double *value);
-/* Whether the cycle of block b of a state, a rough candidate that was added to the fitted state
- * `before`, can be seen. It takes one run. */
+/* Whether the cycle of block b of a state, a candidate that was added to the fitted state `before`,
+ * can be seen. It takes one run of a thermostat; what is none is always seen. */
 enum um_status um_diagnosis_cycle_is_seen(struct um_context *context,
                                           const struct um_diagnosis_work *work,
                                           const struct um_diagnosis_state *before,
@@ -134,6 +112,7 @@ enum um_status um_diagnosis_cycle_is_seen(struct um_context *context,
 /* Block b, which is not fitted yet, is on all the time, and its amplitude alone is free. */
 void um_diagnosis_hold_on(const struct um_diagnosis_work *work, struct um_diagnosis_state *state,
                           size_t b);
+/* Whether a candidate at these values is a thermostat that is out of reach of where it switches. */
 bool um_diagnosis_is_held_on(const struct um_sensitivity_candidate *c,
                              const struct um_model_addition *addition);
 

@@ -61,12 +61,10 @@ enum um_status um_diagnosis_with(struct um_context *context, const struct um_dia
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate[i]];
     switched = switched || c->is_switch;
     if (c->nunidentified == 0) continue;
-    if (um_diagnosis_is_rough(c)) {
-      UM_CHECK(um_diagnosis_cycle_is_seen(context, work, state, out, state->nblock + i, &seen));
-      if (!seen) {
-        um_diagnosis_hold_on(work, out, state->nblock + i);
-        continue;
-      }
+    UM_CHECK(um_diagnosis_cycle_is_seen(context, work, state, out, state->nblock + i, &seen));
+    if (!seen) {
+      um_diagnosis_hold_on(work, out, state->nblock + i);
+      continue;
     }
     shaped = true;
     if (um_diagnosis_is_rough(c))

@@ -20,7 +20,7 @@
 
 #define AT_ONCE       1e-6 /* [s] rows this near a stop are passed there */
 #define UNEVEN        2.0  /* intervals whose ratio is larger are a change of spacing */
-#define LARGEST_BLOCK 4096 /* entries that one thermostat adds to the Jacobian; more cost more */
+#define LARGEST_BLOCK 4096 /* entries that a thermostat adds to the Jacobian, or one column */
 
 /* Which nodes of its sensor have the slope. Nodes that are heated together move together. */
 static enum um_status slope_build(struct um_thermal_system *system,
