@@ -129,21 +129,24 @@ done:
   return status;
 }
 
+/* What is known of the emittances that a periodic state will have. */
+enum known { KNOWN_NOTHING, KNOWN_OF_ANOTHER, KNOWN_NEARLY };
+
 /* Periodic start and exchange by turns until the emittances are the same, from built[nnode] [K].
  * Means over the orbit serve it in sunlight and in shadow. Drafts come first where emittances
- * depend on temperature and none is known. */
+ * depend on temperature and are not known nearly. */
 static enum um_status settle_periodic(struct um_context *context,
-                                      struct um_model_thermal_solution *heat, bool warm,
+                                      struct um_model_thermal_solution *heat, enum known known,
                                       double tolerance, const double *built)
 {
   size_t n = um_thermal_network_nodes(heat->model->body->network);
   /* as exactly as the state: 5e-4 of what is exchanged moves a temperature by 0.01 K */
   const double same = UM_MODEL_SAME_EMITTANCE * tolerance / UM_MODEL_PERIODIC_TOLERANCE;
   double change = 0.0;
-  if (!warm)
+  if (known == KNOWN_NOTHING)
     UM_TRY(um_model_solver_options_renew(context, heat->model, heat->tables, heat->start, same, 0,
                                          &heat->solver, &change));
-  bool draft = !warm && change > ROUNDING;
+  bool draft = change > ROUNDING || (known == KNOWN_OF_ANOTHER && heat->solver.exchange != NULL);
   change = INFINITY;
   for (int round = 1; change > same; round++) {
     enum um_status status = search(context, heat, draft ? DRAFT_TOLERANCE : tolerance, draft);
@@ -172,6 +175,7 @@ enum um_status um_model_thermal_start(struct um_context *context,
   size_t n = um_thermal_network_nodes(network);
   double *built = NULL;
   enum um_status status;
+  enum known known = KNOWN_NOTHING;
   heat->periodic_distance = NAN;
   if (heat->tables->points) return UM_OK;
   bool periodic = heat->model->scenario->thermal->start == UM_START_PERIODIC;
@@ -182,17 +186,20 @@ enum um_status um_model_thermal_start(struct um_context *context,
       heat->start[i] = warm->start[i];
   UM_TRY(um_core_allocate(context, n, sizeof *built, &built));
   memcpy(built, heat->start, n * sizeof *built);
+  if (warm != NULL) known = KNOWN_OF_ANOTHER;
   if (warm != NULL && um_model_thermal_can_extrapolate(warm) &&
       um_model_thermal_can_extrapolate(heat)) {
     status = extrapolate(context, warm, heat);
+    known = KNOWN_NEARLY;
     if (status == UM_ERR_NUMERIC) { /* no such balance: from where the other stands */
       um_core_message_clear(context);
       memcpy(heat->start, built, n * sizeof *built);
+      known = KNOWN_OF_ANOTHER;
     } else if (status != UM_OK) {
       goto done;
     }
   }
-  UM_CHECK(settle_periodic(context, heat, warm != NULL, periodic_tolerance, built));
+  UM_CHECK(settle_periodic(context, heat, known, periodic_tolerance, built));
 done:
   um_core_free(context, built);
   return status;

@@ -10,15 +10,15 @@
  * with the slope that slow ones feel) needs 1/(1 - exp(-x)) of X = -P J, a rational function of
  * which sparse solves give (orbit_return_group.h). KINSOL's fixed point with Anderson acceleration
  * takes care of what that leaves. The correction dT estimates how far T is from the periodic state,
- * dT - r how far G(T) is; G(T) is what is taken, so dT - r is judged, and with it the function's
- * error of r, which may hide as much again.
+ * dT - r how far G(T) is, and with it the function's error of r, which may hide as much again.
  *
  * With its correction the last orbit's end is nearer. Of G(T) + (dT - r) is left the function's
  * error of r, and what an error of X does: a share e of it, for a J that is not constant over the
  * orbit and for what radiation bends over dT, at most 3/2 dT / T, moves w = (dT - r)/r = 1/(exp(x)
  * - 1) by e x (1 + w), which is e of a slow mode and e x of a fast one, x = ln(1 + 1/w). Where that
- * is good enough it is taken, and the orbit that would only confirm it is saved. Not with
- * thermostats, of whose slope the correction knows the mean alone.
+ * is good enough the orbit that would only confirm it is saved. Not with thermostats, of whose
+ * slope the correction knows the mean alone: there dT - r is judged. The last end has its
+ * correction either way, so that what is left depends little on where the search began.
  *
  * Thermostats act by their mean power (system_heat.c), whose slope, averaged over the orbit, is in
  * J: G is smooth. Seen from outside its narrow transition a thermostat has no slope, so a
@@ -70,8 +70,7 @@ struct periodic {
   double *jacobian;                  /* [nnonzero] of the orbit mean [1/s] */
   double *matrix;                    /* [nnonzero] X + shift */
   double distance;                   /* of the last orbit's end [K] */
-  double *left;                      /* [n] of a node's corrected end, at most [K] */
-  bool corrected;                    /* the end has its correction */
+  double *drift;                     /* [n] over an orbit from the last one's end [K] */
   double wanted;                     /* distance that is good enough [K] */
   size_t orbits;
   enum um_status status; /* of the callback */
@@ -188,19 +187,6 @@ static enum um_status correct(struct periodic *periodic)
   return UM_OK;
 }
 
-/* The orbit's end with its correction, and its mean, which is as far off where that matters: in
- * nodes that are slower than the orbit. */
-static void end_correct(struct periodic *periodic, const double *y, const double *change)
-{
-  const struct um_thermal_system *system = periodic->system;
-  for (size_t k = 0; k < system->nunknown; k++) {
-    double *end = &periodic->end[system->node[k]], *mean = &periodic->means.power4[system->node[k]];
-    double beyond = y[k] + change[k] - *end;
-    *end += beyond;
-    *mean = pow(pow(*mean, 0.25) + beyond, 4);
-  }
-}
-
 /* What may be left of a node's corrected end [K]; the comment above has the terms. */
 static double left_of(double end, double drift, double change)
 {
@@ -209,6 +195,31 @@ static double left_of(double end, double drift, double change)
   double by_rate = w < SLOW_MODE ? log1p(1.0 / w) * (1.0 + w) : 1.0;
   return UM_THERMAL_RETURN_ERROR * fabs(drift) +
          (FROZEN + bend) * beyond * (w > 0.0 ? by_rate : 0.0);
+}
+
+/* Drift over an orbit from a state that is `away`, of a node that drifted by r where it was dT
+ * away: r/dT of that, nearly 1 of a fast node and little of a slow one. */
+static double next_drift(double away, double drift, double change)
+{
+  double share = change != 0.0 ? drift / change : 0.0;
+  return fmin(fmax(share, 0.0), 1.0) * away;
+}
+
+/* The orbit's end with its correction, and its mean, which is as far off where that matters: in
+ * nodes that are slower than the orbit. */
+static void end_correct(struct periodic *periodic, const double *y, const double *change,
+                        bool known)
+{
+  const struct um_thermal_system *system = periodic->system;
+  for (size_t k = 0; k < system->nunknown; k++) {
+    uint32_t node = system->node[k];
+    double *end = &periodic->end[node], *mean = &periodic->means.power4[node];
+    double drift = *end - y[k], beyond = change[k] - drift;
+    if (known)
+      periodic->drift[node] = next_drift(left_of(*end, drift, change[k]), drift, change[k]);
+    *end += beyond;
+    *mean = pow(pow(*mean, 0.25) + beyond, 4);
+  }
 }
 
 /* One orbit from unknowns y; end, drift and the corrected state. */
@@ -227,7 +238,8 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     periodic->means.power4[i] /= periodic->period;
   }
   double *change = N_VGetArrayPointer(periodic->right);
-  for (size_t k = 0; k < system->nunknown; k++) change[k] = periodic->end[system->node[k]] - y[k];
+  for (size_t i = 0; i < system->n; i++) periodic->drift[i] = periodic->end[i] - periodic->start[i];
+  for (size_t k = 0; k < system->nunknown; k++) change[k] = periodic->drift[system->node[k]];
   UM_TRY(correct(periodic));
   change = N_VGetArrayPointer(periodic->right);
   double factor = 1.0, left = 0.0; /* of the corrected end [K] */
@@ -237,9 +249,8 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     double drift = periodic->end[system->node[k]] - y[k];
     double beyond = fabs(change[k] - drift);
     periodic->distance = fmax(periodic->distance, beyond + UM_THERMAL_RETURN_ERROR * fabs(drift));
-    double own = left_of(periodic->end[system->node[k]], drift, change[k]);
-    periodic->left[system->node[k]] = own;
-    left = fmax(left, own);
+    left = fmax(left, left_of(periodic->end[system->node[k]], drift, change[k]));
+    periodic->drift[system->node[k]] = next_drift(change[k] - drift, drift, change[k]);
     if (beyond * factor > limit) factor = limit / beyond;
   }
   for (size_t k = 0; k < system->nunknown; k++) {
@@ -247,13 +258,9 @@ static enum um_status orbit_run(struct periodic *periodic, const double *y, doub
     change[k] = drift + factor * (change[k] - drift);
   }
   thermostats_hold(periodic, y, change);
-  periodic->corrected = false;
-  if (periodic->distance > periodic->wanted && left <= periodic->wanted && factor == 1.0 &&
-      system->nthermostat == 0) {
-    end_correct(periodic, y, change);
-    periodic->corrected = true;
-    periodic->distance = left;
-  }
+  bool known = left <= periodic->wanted && factor == 1.0 && system->nthermostat == 0;
+  if (known || periodic->distance <= periodic->wanted) end_correct(periodic, y, change, known);
+  if (known) periodic->distance = left;
   /* good enough: a fixed point, which ends KINSOL's iteration */
   double take = periodic->distance <= periodic->wanted ? 0.0 : 1.0;
   for (size_t k = 0; k < system->nunknown; k++) corrected[k] = y[k] + take * change[k];
@@ -277,7 +284,7 @@ static enum um_status storage_create(struct periodic *periodic)
   struct um_context *context = system->context;
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->start));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->end));
-  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->left));
+  UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->drift));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.cube));
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.power4));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
@@ -308,16 +315,10 @@ static void storage_free(struct periodic *periodic, struct um_context *context)
   if (periodic->part != NULL) N_VDestroy(periodic->part);
   if (periodic->one != NULL) N_VDestroy(periodic->one);
   if (periodic->sun != NULL) SUNContext_Free(&periodic->sun);
-  UM_FREE(context, periodic->start, periodic->end, periodic->left, periodic->means.cube,
+  UM_FREE(context, periodic->start, periodic->end, periodic->drift, periodic->means.cube,
           periodic->means.power4, periodic->jacobian, periodic->matrix);
   um_thermal_integrator_destroy(&periodic->integrator);
   um_thermal_system_destroy(&periodic->system);
-}
-
-/* Of a node from the state that is given, over an orbit. */
-static double drift_of(const struct periodic *periodic, size_t node)
-{
-  return periodic->corrected ? periodic->left[node] : periodic->end[node] - periodic->start[node];
 }
 
 static struct um_thermal_periodic report_make(const struct periodic *periodic)
@@ -325,7 +326,7 @@ static struct um_thermal_periodic report_make(const struct periodic *periodic)
   struct um_thermal_periodic report = {
       .distance = periodic->distance, .orbits = periodic->orbits, .audit = periodic->audit};
   for (size_t i = 0; i < periodic->system->n; i++) {
-    double drift = fabs(drift_of(periodic, i));
+    double drift = fabs(periodic->drift[i]);
     if (drift > report.drift) {
       report.drift = drift;
       report.drift_node = i;
@@ -401,8 +402,12 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   if (code >= 0) code = KINSetUserData(kinsol, periodic);
   if (code < 0) return not_converged(periodic, tolerance, code);
   double rough = ROUGH_FACTOR / system->options.tolerance_factor;
-  if (tolerance < ROUGH && rough >= WORTH_A_STAGE)
+  if (tolerance < ROUGH && rough >= WORTH_A_STAGE) {
     UM_TRY(approach(periodic, ROUGH, rough, ROUGH_ORBITS, &code));
+    /* where it ends its last correction is not made yet */
+    if (periodic->distance <= ROUGH)
+      N_VLinearSum(1.0, periodic->y, 1.0, periodic->right, periodic->y);
+  }
   UM_TRY(approach(periodic, tolerance, 1.0, ORBITS_LIMIT, &code));
   if (periodic->distance <= tolerance || thermostats_excuse(periodic, tolerance)) return UM_OK;
   return not_converged(periodic, tolerance, code);
@@ -449,7 +454,7 @@ enum um_status um_thermal_solve_periodic_report(
   UM_CHECK(kinsol_run(&periodic, tolerance));
   memcpy(temperature, periodic.end, n * sizeof(double));
   for (size_t i = 0; i < n && mean != NULL; i++) mean[i] = pow(periodic.means.power4[i], 0.25);
-  for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = drift_of(&periodic, i);
+  for (size_t i = 0; i < n && drift != NULL; i++) drift[i] = periodic.drift[i];
   if (report != NULL) *report = report_make(&periodic);
 done:
   um_core_progress_end(context);

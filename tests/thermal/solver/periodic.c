@@ -187,6 +187,7 @@ static void test_wrapped_interior(void **state)
   struct um_thermal_solve_options options;
   um_thermal_solve_defaults(&options);
   const double emittance[2] = {0.005, 0.05}, starts[3] = {293.0, 150.0, 230.0};
+  size_t orbits = 0;
   for (int e = 0; e < 2; e++) {
     double found[3];
     for (int s = 0; s < 3; s++) {
@@ -199,7 +200,9 @@ static void test_wrapped_interior(void **state)
       print_message("e* %.3f from %.0f K: %.4f K after %zu orbits, drift %.1e K, distance %.1e K\n",
                     emittance[e], starts[s], found[s], report.orbits, report.drift,
                     report.distance);
-      assert_true(report.orbits <= 10);
+      orbits += report.orbits;
+      /* 300 orbits turn a distance into as much less of a drift */
+      assert_true(report.drift < 1e-4);
       /* 0.02 K off: twice the tolerance asked for */
       double slope = 4.0 * emittance[e] * 150.0 * UM_STEFAN_BOLTZMANN * pow(found[s], 3);
       NEAR("mean leak", mean_leak(network, loads, emittance[e], temperature), 100.0, 0.02 * slope);
@@ -208,6 +211,7 @@ static void test_wrapped_interior(void **state)
     NEAR("independent of the start", found[1], found[0], 2e-2);
     NEAR("independent of the start", found[2], found[0], 2e-2);
   }
+  assert_true(orbits <= 26);
   um_irradiation_loads_destroy(help_context, &loads);
 }
 
