@@ -51,6 +51,31 @@ static void put_folder(FILE *file, const char *folder, const char *behind)
   fputc('\n', file);
 }
 
+/* A word of a command line, quotes and all. */
+static size_t word_length(const char *text)
+{
+  size_t n = 0;
+  for (bool quoted = false; text[n] != '\0' && (quoted || text[n] != ' '); n++)
+    quoted = quoted != (text[n] == '\'');
+  return n;
+}
+
+/* The command as it was typed, but for its folder: another comes behind. */
+static void put_but_folder(FILE *file, const char *command)
+{
+  char word[4096];
+  bool folder = false;
+  for (const char *from = command; *from != '\0'; from += *from == ' ') {
+    size_t n = word_length(from);
+    snprintf(word, sizeof word, "%.*s", (int)n, from);
+    bool option = strcmp(word, "--out") == 0, skipped = folder || strncmp(word, "--out=", 6) == 0;
+    if (!option && !skipped && from != command) fputc(' ', file);
+    if (!option && !skipped) um_core_text_put(file, word);
+    folder = option;
+    from += n;
+  }
+}
+
 /* Is what explains all in no catalogue, and not written as an effect yet? */
 static bool wants_draft(const struct um_diagnosis *d)
 {
@@ -66,7 +91,7 @@ void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diag
   const char *leader = command != NULL ? group_leader(d) : NULL;
   if (leader != NULL) { /* what its user knows beside */
     fprintf(file, "Where you know that it is not %s, type: ", leader);
-    um_core_text_put(file, command);
+    put_but_folder(file, command);
     fputs(" --exclude ", file);
     um_core_text_put_word(file, leader);
     put_folder(file, folder, "without");
@@ -74,7 +99,7 @@ void um_diagnosis_report_put_command(FILE *file, const struct um_diagnosis *diag
   }
   if (command != NULL && wants_draft(d)) {
     fputs("To have it as an effect of your own, type: ", file);
-    um_core_text_put(file, command);
+    put_but_folder(file, command);
     fputs(" --draft-effect mine.c", file);
     put_folder(file, folder, "draft");
     return;
