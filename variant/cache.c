@@ -27,7 +27,8 @@ enum um_status um_variant_cache_find(struct um_context *context, struct um_varia
 
 static bool additions_equal(const struct um_model_addition *a, const struct um_model_addition *b)
 {
-  if (a->effect != b->effect || !um_core_words_same(a->target, b->target)) return false;
+  if (a->effect != b->effect || a->off != b->off || !um_core_words_same(a->target, b->target))
+    return false;
   for (size_t p = 0; p < a->effect->nparameter; p++)
     if (a->value[p] != b->value[p]) return false;
   return true;

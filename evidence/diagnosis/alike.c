@@ -20,7 +20,8 @@ static enum um_status values_with(struct um_context *context, const struct um_di
   struct um_model_addition *all = NULL;
   UM_TRY(um_core_allocate(context, state->nblock + 1, sizeof *all, &all));
   um_diagnosis_state_additions(state, all);
-  all[state->nblock] = (struct um_model_addition){.effect = c->effect, .target = c->target};
+  all[state->nblock] =
+      (struct um_model_addition){.effect = c->effect, .target = c->target, .off = c->off};
   memcpy(all[state->nblock].value, at, c->effect->nparameter * sizeof *at);
   enum um_status status =
       um_sensitivity_forward_evaluate(context, work->forward, all, state->nblock + 1, value);

@@ -14,7 +14,8 @@ static double worth(const struct um_diagnosis_doubt *s, const struct um_inferenc
 {
   const struct um_sensitivity_candidate *c = &s->work->candidates->candidate[i];
   if (score[i].absorbed) return 0.0;
-  return score[i].statistic - (c->is_switch ? 0.0 : score[i].dof * log((double)s->n));
+  return score[i].statistic - (c->is_switch ? 0.0 : score[i].dof * log((double)s->n)) -
+         (c->off ? UM_DIAGNOSIS_OFF : 0.0);
 }
 
 struct variations {

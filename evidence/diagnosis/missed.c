@@ -31,7 +31,9 @@ static void unworthy(const struct um_sensitivity_candidate *c,
 {
   size_t size = sizeof missed->why;
   if (score->p >= UM_INFERENCE_WRONG_SIDE)
-    snprintf(missed->why, size, "its best value is beyond the end of its range");
+    snprintf(missed->why, size,
+             c->is_switch ? "the measurements are off the other way"
+                          : "its best value is beyond the end of its range");
   else
     snprintf(missed->why, size, "it explains a chi-square of %.3g%s, %s", score->statistic,
              c->nunidentified > 0 ? " where its search begins" : "",

@@ -194,7 +194,7 @@ static void replace(const struct um_diagnosis_work *work, const struct um_diagno
   for (size_t b = 0; b < state->nblock; b++) {
     if (state->block[b].candidate != step->candidate) continue;
     const struct um_sensitivity_candidate *c = &work->candidates->candidate[alternative->candidate];
-    out[b] = (struct um_model_addition){.effect = c->effect, .target = c->target};
+    out[b] = (struct um_model_addition){.effect = c->effect, .target = c->target, .off = c->off};
     memcpy(out[b].value, alternative->value, sizeof out[b].value);
   }
 }

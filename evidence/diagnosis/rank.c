@@ -47,7 +47,8 @@ sort_alternatives(struct um_context *context, const struct um_diagnosis_work *wo
     /* a switch has no parameter to pay for */
     p->worth = score[i].absorbed
                    ? -INFINITY
-                   : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * penalty;
+                   : score[i].statistic - (c->is_switch ? 0.0 : score[i].dof) * penalty -
+                         (c->off ? UM_DIAGNOSIS_OFF : 0.0);
     /* beyond a bound it explains nothing */
     if (!score[i].absorbed && score[i].p >= UM_INFERENCE_WRONG_SIDE) p->worth = -score[i].p;
   }

@@ -34,9 +34,10 @@ struct um_diagnosis_block um_diagnosis_block_of(const struct um_diagnosis_work *
                                                 size_t candidate)
 {
   const struct um_sensitivity_candidate *c = &work->candidates->candidate[candidate];
-  struct um_diagnosis_block block = {.addition = {.effect = c->effect, .target = c->target},
-                                     .candidate = candidate,
-                                     .nfree = c->is_switch ? 0 : c->ncolumn + c->nunidentified};
+  struct um_diagnosis_block block = {
+      .addition = {.effect = c->effect, .target = c->target, .off = c->off},
+      .candidate = candidate,
+      .nfree = c->is_switch ? 0 : c->ncolumn + c->nunidentified};
   for (size_t p = 0; p < c->effect->nparameter; p++) block.addition.value[p] = c->null_value[p];
   for (size_t k = 0; k < block.nfree; k++) {
     size_t p = k < c->ncolumn ? c->parameter[k] : c->unidentified[k - c->ncolumn];
@@ -120,12 +121,15 @@ static size_t iterations(const struct um_diagnosis_work *work,
   return 0;
 }
 
-/* What BIC asks for numbers that are not free because nothing tells of them. */
+/* What BIC asks for numbers that are not free because nothing tells of them, and for the odds of
+ * what is turned off. */
 static double of_held(const struct um_diagnosis_work *work, const struct um_diagnosis_state *state)
 {
-  size_t n = 0;
-  for (size_t b = 0; b < state->nblock; b++) n += state->block[b].nheld;
-  return (double)n * log((double)work->forward->observations.count);
+  double sum = 0.0, each = log((double)work->forward->observations.count);
+  for (size_t b = 0; b < state->nblock; b++)
+    sum += (double)state->block[b].nheld * each +
+           (state->block[b].addition.off ? UM_DIAGNOSIS_OFF : 0.0);
+  return sum;
 }
 
 /* The chi-square of observations and priors that makes this BIC. */

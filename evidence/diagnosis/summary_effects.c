@@ -27,10 +27,14 @@ void um_diagnosis_words_add(struct um_diagnosis_words *words, const char *format
 static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /* What the effect is in its own words. inside: of a sentence; "MLI" stays as it is. */
-static void add_description(struct um_diagnosis_words *words, const struct um_effect *effect,
-                            bool inside)
+static void add_description(struct um_diagnosis_words *words, const struct um_diagnosis *d,
+                            const struct um_effect *effect, bool inside)
 {
   const char *text = effect->summary;
+  if (um_sensitivity_is_on(d->forward, effect)) {
+    add(words, inside ? "too much in the scenario: " : "Too much in the scenario: ");
+    inside = true;
+  }
   if (inside && is_capital(text[0]) && !is_capital(text[1]))
     add(words, "%c%s", text[0] - 'A' + 'a', text + 1);
   else
@@ -44,8 +48,9 @@ static void add_use(struct um_diagnosis_words *words, const struct um_diagnosis 
 {
   char values[UM_DIAGNOSIS_VALUES_MAX];
   um_diagnosis_values_text(d->forward, effect, target, value, sigma, wholes, values);
+  bool off = um_sensitivity_is_on(d->forward, effect);
   add(words, "%s%s%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "",
-      values[0] != '\0' ? " " : "", values);
+      off || values[0] != '\0' ? " " : "", off ? "off" : values);
 }
 
 /* ", 42 %" among what was fitted in that step and nothing. */
@@ -108,7 +113,7 @@ static void add_group(struct um_diagnosis_words *words, const struct um_diagnosi
     if (++others >= GROUP) continue;
     bool again = c->effect == d->candidates->candidate[step->candidate].effect;
     add(words, "; or ");
-    if (!again) add_description(words, c->effect, true);
+    if (!again) add_description(words, d, c->effect, true);
     add(words, again ? "" : " (");
     add_use(words, d, c->effect, c->target, r->value, r->sigma, false);
     add_probability(words, r->probability);
@@ -153,7 +158,7 @@ static void add_effect(struct um_diagnosis_words *words, const struct um_diagnos
   const struct um_model_addition *a = &d->addition[i];
   const struct um_diagnosis_step *step =
       confidence == UM_DIAGNOSIS_CHOSEN ? NULL : um_diagnosis_step_of(d, a);
-  add_description(words, a->effect, false);
+  add_description(words, d, a->effect, false);
   add(words, " (");
   add_use(words, d, a->effect, a->target, a->value, d->addition_sigma[i],
           confidence != UM_CONFIDENCE_ONE_OF_GROUP);
@@ -175,7 +180,8 @@ size_t um_diagnosis_words_class(struct um_diagnosis_words *words, const struct u
   for (size_t i; (i = find(d, confidence, n)) != SIZE_MAX; n++) {
     if (*left == 0) break;
     --*left;
-    add(words, "%s%s", words->used > 0 ? " " : "", n == 0 ? first : again);
+    bool missing = d->verdict != UM_VERDICT_FOUND || !d->addition[i].off;
+    add(words, "%s%s", words->used > 0 ? " " : "", !missing ? "" : n == 0 ? first : again);
     add_effect(words, d, i, confidence);
     add(words, ".");
   }

@@ -32,12 +32,13 @@ struct um_sensitivity_quality {
 };
 
 struct um_sensitivity_candidate {
-  char *name; /* "emittance:sphere_paint", "albedo"; owned */
+  char *name; /* "emittance:sphere_paint", "albedo", "albedo off"; owned */
   const struct um_effect *effect;
   char *target;   /* owned; NULL: global */
   size_t ncolumn; /* of the signature: the free parameters; 1 for a core switch */
   size_t parameter[UM_EFFECT_PARAMETERS_MAX]; /* [ncolumn] of the effect's; of a switch: none */
   bool is_switch;                             /* no parameters: on, or not */
+  bool off;                                   /* a switch that the scenario has on, turned off */
   /* parameters unidentified under the null, which do nothing while the others are null: fitted, not
    * tested */
   size_t nunidentified, unidentified[UM_EFFECT_PARAMETERS_MAX];
@@ -53,7 +54,7 @@ struct um_sensitivity_candidate {
   struct um_sensitivity_quality
       quality[UM_EFFECT_PARAMETERS_MAX]; /* [effect's nparameter] of derivatives; else zero */
   /* [ncolumn][nobservation] d(model)/d(parameter) at the null value, linear unit per parameter
-   * unit; of a switch the whole change when it is turned on */
+   * unit; of a switch the whole change when it is turned */
   double *signature;
   bool insensitive; /* no observation changes, or the effect refuses the target */
   char *why;        /* the refusal; NULL: no observation changes */

@@ -15,12 +15,15 @@
 
 /* --- which ----------------------------------------------------------------------------------- */
 
-/* Is "effect" or "effect:target" this candidate? */
+/* What is on by default is tried off, and said to be. */
+#define OFF " off"
+
+/* Is "effect", "effect:target" or "effect off" this candidate? */
 static bool means(const char *text, const struct um_effect *effect, const char *target)
 {
   size_t n = strlen(effect->name);
   if (strncmp(text, effect->name, n) != 0) return false;
-  if (text[n] == '\0') return true;
+  if (text[n] == '\0' || strcmp(text + n, OFF) == 0) return true;
   return text[n] == ':' && target != NULL && strcmp(text + n + 1, target) == 0;
 }
 
@@ -38,7 +41,7 @@ static enum um_status check_names(struct um_context *context, const struct um_mo
 {
   for (size_t i = 0; i < count; i++) {
     char name[64] = "";
-    size_t n = strcspn(text[i], ":");
+    size_t n = strcspn(text[i], ": ");
     memcpy(name, text[i], n < sizeof name ? n : sizeof name - 1);
     if (n < sizeof name && um_model_effects_find(model, name) != NULL) continue;
     enum um_status status = um_effects_registry_refuse(context, model->registry, name);
@@ -56,7 +59,7 @@ static bool already(const struct um_model_addition *addition, size_t naddition,
   return false;
 }
 
-/* A core switch is a candidate where the scenario has it off, by its effects or its environment. */
+/* Does the scenario have a core switch off, by its effects or its environment? */
 static bool is_off(const struct um_model *model, const struct um_effect *effect)
 {
   for (size_t i = 0; i < model->neffect; i++)
@@ -64,17 +67,24 @@ static bool is_off(const struct um_model *model, const struct um_effect *effect)
   return effect->is_off != NULL && effect->is_off(&model->environment);
 }
 
+bool um_sensitivity_is_on(const struct um_sensitivity_forward *forward,
+                          const struct um_effect *effect)
+{
+  return effect->on_by_default && !is_off(forward->model, effect);
+}
+
 /* --- list ------------------------------------------------------------------------------------ */
 
 static enum um_status add(struct um_context *context, const struct um_sensitivity_forward *forward,
-                          const struct um_effect *effect, const char *target,
+                          const struct um_effect *effect, const char *target, bool off,
                           struct um_sensitivity_candidates *list)
 {
   UM_TRY(um_core_reallocate(context, list->count + 1, sizeof *list->candidate, &list->candidate));
   struct um_sensitivity_candidate *c = &list->candidate[list->count++];
-  *c = (struct um_sensitivity_candidate){.effect = effect, .is_switch = effect->on_by_default != 0};
-  UM_TRY(um_core_asprintf(context, &c->name, "%s%s%s", effect->name, target != NULL ? ":" : "",
-                          target != NULL ? target : ""));
+  *c = (struct um_sensitivity_candidate){
+      .effect = effect, .is_switch = effect->on_by_default != 0, .off = off};
+  UM_TRY(um_core_asprintf(context, &c->name, "%s%s%s%s", effect->name, target != NULL ? ":" : "",
+                          target != NULL ? target : "", off ? OFF : ""));
   if (target != NULL) UM_TRY(um_core_strdup(context, target, &c->target));
   um_sensitivity_forward_null(forward, effect, target, c->null_value);
   for (size_t p = 0; p < effect->nparameter; p++)
@@ -97,7 +107,7 @@ static enum um_status add_variants(struct um_context *context,
     const double end[] = {of->minimum, of->maximum};
     for (size_t i = 0; i < 2; i++) {
       if (end[i] == of->null_value) continue;
-      UM_TRY(add(context, forward, effect, target, list));
+      UM_TRY(add(context, forward, effect, target, false, list));
       list->candidate[list->count - 1].null_value[p] = end[i];
     }
   }
@@ -113,7 +123,8 @@ static enum um_status add_effect(struct um_context *context,
 {
   enum um_status status;
   struct um_sensitivity_targets targets = {0};
-  if (effect->on_by_default ? !is_off(forward->model, effect) : effect->nparameter == 0)
+  bool off = um_sensitivity_is_on(forward, effect);
+  if (off ? o != NULL && o->derivatives : !effect->on_by_default && effect->nparameter == 0)
     return UM_OK;
   UM_CHECK(um_sensitivity_targets_create(context, forward, effect, &targets));
   for (size_t k = 0; k < targets.count; k++) {
@@ -121,8 +132,8 @@ static enum um_status add_effect(struct um_context *context,
     if (already(addition, naddition, effect, target)) continue;
     if (o != NULL && o->nonly > 0 && !listed(o->only, o->nonly, effect, target)) continue;
     if (o != NULL && listed(o->exclude, o->nexclude, effect, target)) continue;
-    UM_CHECK(add(context, forward, effect, target, list));
-    UM_CHECK(add_variants(context, forward, effect, target, list));
+    UM_CHECK(add(context, forward, effect, target, off, list));
+    if (!off) UM_CHECK(add_variants(context, forward, effect, target, list));
   }
 done:
   um_sensitivity_targets_release(context, &targets);
@@ -142,12 +153,9 @@ static enum um_status drop(struct um_context *context, const char *name, const c
 }
 
 /* Why an entry of `only` whose effect and target exist is no candidate. */
-static const char *why_none(const struct um_sensitivity_forward *forward,
-                            const struct um_effect *effect, const char *target,
+static const char *why_none(const struct um_effect *effect, const char *target,
                             const struct um_sensitivity_candidates_options *o)
 {
-  if (effect->on_by_default && !is_off(forward->model, effect))
-    return "the scenario already has it on";
   if (!effect->on_by_default && effect->nparameter == 0) return "it has nothing to fit";
   if (listed(o->exclude, o->nexclude, effect, target)) return "it is excluded";
   if (target == NULL) return "the scenario has nothing that it acts on";
@@ -170,14 +178,14 @@ static enum um_status look_for_dropped(struct um_context *context,
     const char *text = o->only[i], *colon = strchr(text, ':');
     char name[64] = "";
     if (is_listed(text, list)) continue;
-    memcpy(name, text, strcspn(text, ":")); /* it fits: check_names found the effect */
+    memcpy(name, text, strcspn(text, ": ")); /* it fits: check_names found the effect */
     const struct um_effect *effect = um_model_effects_find(forward->model, name);
     const char *target = colon == NULL ? NULL : colon + 1;
     enum um_status status =
         target == NULL ? UM_OK : um_model_check_target(context, forward->model, effect, target);
     if (status == UM_ERR_INPUT) um_core_message_prefix(context, "--only %.80s", text);
     UM_TRY(status);
-    UM_TRY(drop(context, text, why_none(forward, effect, target, o), list));
+    UM_TRY(drop(context, text, why_none(effect, target, o), list));
   }
   return UM_OK;
 }
@@ -189,7 +197,7 @@ static enum um_status make_list(struct um_context *context,
                                 struct um_sensitivity_candidates *list)
 {
   for (size_t i = 0; o != NULL && i < o->nwanted; i++)
-    UM_TRY(add(context, forward, o->wanted[i].effect, o->wanted[i].target, list));
+    UM_TRY(add(context, forward, o->wanted[i].effect, o->wanted[i].target, o->wanted[i].off, list));
   if (list->count > 0) return UM_OK;
   if (o != NULL) {
     UM_TRY(check_names(context, forward->model, "--only", o->only, o->nonly));

@@ -50,4 +50,8 @@ um_sensitivity_candidates_create(struct um_context *context, struct um_sensitivi
 void um_sensitivity_candidates_destroy(struct um_context *context,
                                        struct um_sensitivity_candidates **candidates);
 
+/* Is it on by default, and on in the scenario? A candidate of it turns it off. */
+bool um_sensitivity_is_on(const struct um_sensitivity_forward *forward,
+                          const struct um_effect *effect);
+
 #endif

@@ -27,7 +27,8 @@ static enum um_status evaluate(struct um_context *context, const struct um_sensi
   struct um_model_addition *all = NULL;
   UM_TRY(um_core_allocate(context, point->naddition + 1, sizeof *all, &all));
   if (point->naddition > 0) memcpy(all, point->addition, point->naddition * sizeof *all);
-  all[point->naddition] = (struct um_model_addition){.effect = c->effect, .target = c->target};
+  all[point->naddition] =
+      (struct um_model_addition){.effect = c->effect, .target = c->target, .off = c->off};
   memcpy(all[point->naddition].value, values, c->effect->nparameter * sizeof *values);
   UM_CHECK(um_sensitivity_forward_evaluate(context, f, all, point->naddition + 1, value));
 done:

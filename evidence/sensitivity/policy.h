@@ -37,7 +37,7 @@
  * that are open for one run of heat's answers, whoever shares it [bytes]. Answers stay whatever
  * they are. Of 201 geometries that a diagnosis of FUNcube-1 asked for again, 188 were among the
  * last ten. */
-#define UM_SENSITIVITY_KEPT ((size_t)384 << 20)
+#define UM_SENSITIVITY_KEPT ((size_t)256 << 20)
 #define UM_SENSITIVITY_OPEN ((size_t)512 << 20)
 
 /* ---- derivatives (derivative.c) ---- */

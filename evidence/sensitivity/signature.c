@@ -9,7 +9,7 @@
 
 #include "effects/effects.h"
 
-/* The change of the observations when a switch is turned on. */
+/* The change of the observations when a switch is turned. */
 static enum um_status make_switch(struct um_context *context,
                                   const struct um_sensitivity_point *point,
                                   struct um_sensitivity_candidate *c)

@@ -339,11 +339,11 @@ static enum um_status add_effects(struct um_context *context, struct um_model *m
     if (addition[i].target != NULL) UM_TRY(keep_text(context, model, addition[i].target, &target));
     UM_TRY(check_target(context, &origin, effect, target));
     UM_TRY(use_of(context, model, effect, target, &use));
-    use->off = false;
+    use->off = addition[i].off;
     use->at = NULL;
     use->option = origin.option;
     use->text = origin.text;
-    for (size_t p = 0; p < effect->nparameter; p++)
+    for (size_t p = 0; p < effect->nparameter && !use->off; p++)
       UM_TRY(set_value(context, &origin, use, p, effect->parameters[p].name, addition[i].value[p]));
   }
   um_model_effects_sort(model, model->effect + listed, model->neffect - listed);

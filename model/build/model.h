@@ -77,6 +77,7 @@ struct um_model_addition {
   const struct um_effect *effect;
   const char *target;                     /* NULL: global; borrowed */
   double value[UM_EFFECT_PARAMETERS_MAX]; /* in the parameters' units */
+  bool off;                               /* of what is on by default: withheld, without values */
 };
 
 /* What makes a variant of a scenario. Borrowed while it is built. */

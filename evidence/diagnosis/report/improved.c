@@ -27,7 +27,7 @@ static void take(struct um_model_effect *use, size_t *count,
   if (i == *count)
     use[(*count)++] =
         (struct um_model_effect){.effect = addition->effect, .target = addition->target};
-  use[i].off = false;
+  use[i].off = addition->off;
   use[i].option = "found";
   memcpy(use[i].value, addition->value, sizeof use[i].value);
 }

@@ -14,10 +14,12 @@ void um_diagnosis_report_json_time(FILE *file, const char *before, const char *k
   um_core_json_text(file, before, key, isfinite(t_tai) ? text : NULL);
 }
 
-void um_diagnosis_report_json_use(FILE *file, const struct um_effect *effect, const char *target)
+void um_diagnosis_report_json_use(FILE *file, const struct um_diagnosis *d,
+                                  const struct um_effect *effect, const char *target)
 {
   um_core_json_text(file, "", "effect", effect->name);
   um_core_json_text(file, ", ", "target", target);
+  if (um_sensitivity_is_on(d->forward, effect)) um_core_json_bool(file, ", ", "off", true);
 }
 
 void um_diagnosis_report_json_parameter(FILE *file, const struct um_effect_parameter *parameter,

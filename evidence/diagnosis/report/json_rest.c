@@ -135,7 +135,7 @@ void um_diagnosis_report_json_superseded(FILE *file, const struct um_diagnosis *
   for (size_t i = 0; i < d->nsuperseded; i++) {
     const struct um_diagnosis_superseded *s = &d->superseded[i];
     fputs(i > 0 ? ",\n    {" : "\n    {", file);
-    um_diagnosis_report_json_use(file, s->addition.effect, s->addition.target);
+    um_diagnosis_report_json_use(file, d, s->addition.effect, s->addition.target);
     um_diagnosis_report_json_parameters(file, d, s->addition.effect, s->addition.target,
                                         s->addition.value, s->sigma);
     um_core_json_bool(file, ", ", "alone", s->alone);

@@ -33,7 +33,8 @@ static enum um_status values_of(struct work *w, const struct um_effect *effect, 
   char *text;
   UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_VALUES_MAX, &text));
   um_diagnosis_values_text(w->d->forward, effect, target, value, sigma, true, text);
-  *out = text[0] != '\0' ? text : "switched on";
+  bool off = um_sensitivity_is_on(w->d->forward, effect);
+  *out = off ? "switched off" : text[0] != '\0' ? text : "switched on";
   return UM_OK;
 }
 

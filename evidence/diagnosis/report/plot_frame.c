@@ -59,8 +59,8 @@ static void add_effects(struct text *text, const struct um_diagnosis *d, bool do
 {
   for (size_t i = 0; i < d->naddition; i++) {
     const struct um_model_addition *a = &d->addition[i];
-    add(text, "%s%s%s%s", i == 0 ? "" : ", ", a->effect->name, a->target == NULL ? "" : " of ",
-        a->target == NULL ? "" : a->target);
+    add(text, "%s%s%s%s%s", i == 0 ? "" : ", ", a->effect->name, a->target == NULL ? "" : " of ",
+        a->target == NULL ? "" : a->target, a->off ? " off" : "");
     const struct um_diagnosis_step *step = um_diagnosis_step_of(d, a);
     if (doubts && step != NULL) add_doubt(text, d, step);
   }

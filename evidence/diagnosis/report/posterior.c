@@ -100,7 +100,7 @@ static void json_parameter(FILE *file, const struct um_diagnosis *d, size_t k)
 {
   const struct um_diagnosis_fitted *f = &d->fitted[k];
   struct um_diagnosis_whole whole;
-  um_diagnosis_report_json_use(file, f->effect, f->target);
+  um_diagnosis_report_json_use(file, d, f->effect, f->target);
   um_core_json_text(file, ", ", "name", f->effect->parameters[f->parameter].name);
   um_core_json_text(file, ", ", "unit", f->effect->parameters[f->parameter].unit);
   um_core_json_bool(file, ", ", "nuisance", f->nuisance);

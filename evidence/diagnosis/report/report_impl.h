@@ -12,7 +12,8 @@
 /* before, "key": value; null where the time is not finite. */
 void um_diagnosis_report_json_time(FILE *file, const char *before, const char *key, double t_tai);
 /* "effect": ..., "target": ... */
-void um_diagnosis_report_json_use(FILE *file, const struct um_effect *effect, const char *target);
+void um_diagnosis_report_json_use(FILE *file, const struct um_diagnosis *d,
+                                  const struct um_effect *effect, const char *target);
 /* An object of one value that is left open. */
 void um_diagnosis_report_json_parameter(FILE *file, const struct um_effect_parameter *parameter,
                                         double value, double sigma);

@@ -16,9 +16,10 @@
 #define WORSE 5      /* fitted alternatives that are listed */
 #define TINY  1e-300 /* smaller p are not told apart */
 
-static void print_name(FILE *file, const struct um_effect *effect, const char *target)
+static void print_name(FILE *file, const struct um_model_addition *a)
 {
-  fprintf(file, "%s%s%s", effect->name, target != NULL ? ":" : "", target != NULL ? target : "");
+  fprintf(file, "%s%s%s%s", a->effect->name, a->target != NULL ? ":" : "",
+          a->target != NULL ? a->target : "", a->off ? " off" : "");
 }
 
 /* ---- channels ---- */
@@ -80,7 +81,8 @@ static void print_parameters(FILE *file, const struct um_diagnosis *d,
                              const struct um_effect *effect, const char *target,
                              const double *value, const double *sigma)
 {
-  if (effect->on_by_default) fprintf(file, "  switched on\n");
+  if (effect->on_by_default)
+    fprintf(file, "  switched %s\n", um_sensitivity_is_on(d->forward, effect) ? "off" : "on");
   for (size_t p = 0; p < effect->nparameter; p++) {
     const struct um_effect_parameter *parameter = &effect->parameters[p];
     double present[UM_EFFECT_PARAMETERS_MAX], low, high;
@@ -217,7 +219,7 @@ static enum um_status print_step(struct um_context *context, FILE *file,
   double reduced = s == 0 ? d->chi2_reduced : step[-1].chi2_reduced;
   const double *after = um_diagnosis_report_step_values(d, step);
   fprintf(file, "\nstep %zu: ", s + 1);
-  print_name(file, step->addition.effect, step->addition.target);
+  print_name(file, &step->addition);
   fprintf(file, "%s\n", step->removed ? ", no longer needed at the end and taken out again" : "");
   print_parameters(file, d, step->addition.effect, step->addition.target, step->addition.value,
                    step->sigma);
@@ -241,7 +243,7 @@ static void print_uses(FILE *file, const struct um_diagnosis *d, const char *tit
 {
   for (size_t i = 0; i < n; i++) {
     fprintf(file, "\n%s: ", title);
-    print_name(file, addition[i].effect, addition[i].target);
+    print_name(file, &addition[i]);
     fprintf(file, "\n");
     print_parameters(file, d, addition[i].effect, addition[i].target, addition[i].value, sigma[i]);
   }
@@ -257,7 +259,7 @@ static void print_superseded(FILE *file, const struct um_diagnosis *d)
     if (s->bic - d->bic_after > UM_DIAGNOSIS_FAR_BEHIND) continue;
     fprintf(file, "\nreplaced by others, BIC %+.1f%s: ", s->bic - d->bic_after,
             s->alone ? " alone" : "");
-    print_name(file, s->addition.effect, s->addition.target);
+    print_name(file, &s->addition);
     fprintf(file, "\n");
     print_parameters(file, d, s->addition.effect, s->addition.target, s->addition.value, s->sigma);
   }

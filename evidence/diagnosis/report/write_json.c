@@ -52,7 +52,7 @@ static void json_uses(FILE *file, const struct um_diagnosis *d, const char *key,
   fprintf(file, ",\n  \"%s\": [", key);
   for (size_t i = 0; i < n; i++) {
     fputs(i > 0 ? ",\n    {" : "\n    {", file);
-    um_diagnosis_report_json_use(file, addition[i].effect, addition[i].target);
+    um_diagnosis_report_json_use(file, d, addition[i].effect, addition[i].target);
     um_diagnosis_report_json_parameters(file, d, addition[i].effect, addition[i].target,
                                         addition[i].value, sigma[i]);
     fputc('}', file);
@@ -78,7 +78,7 @@ static void json_alternative(FILE *file, const struct um_diagnosis *d,
   const struct um_sensitivity_candidate *candidate =
       um_diagnosis_report_candidate_of(d, alternative);
   fputc('{', file);
-  um_diagnosis_report_json_use(file, candidate->effect, candidate->target);
+  um_diagnosis_report_json_use(file, d, candidate->effect, candidate->target);
   json_score(file, &alternative->score);
   um_core_json_bool(file, ", ", "fitted", alternative->fitted);
   if (alternative->fitted) {
@@ -121,7 +121,7 @@ static enum um_status json_step(struct um_context *context, FILE *file,
                                 const struct um_diagnosis *d, const struct um_diagnosis_step *step)
 {
   fputs("\n    {", file);
-  um_diagnosis_report_json_use(file, step->addition.effect, step->addition.target);
+  um_diagnosis_report_json_use(file, d, step->addition.effect, step->addition.target);
   um_diagnosis_report_json_parameters(file, d, step->addition.effect, step->addition.target,
                                       step->addition.value, step->sigma);
   um_core_json_text(file, ",\n     ", "standing", um_diagnosis_confidence_name(step->confidence));
@@ -155,7 +155,7 @@ static void json_ranking(FILE *file, const struct um_diagnosis *d)
     const struct um_sensitivity_candidate *candidate =
         um_diagnosis_report_candidate_of(d, alternative);
     fputs(i > 0 ? ",\n    {" : "\n    {", file);
-    um_diagnosis_report_json_use(file, candidate->effect, candidate->target);
+    um_diagnosis_report_json_use(file, d, candidate->effect, candidate->target);
     json_score(file, &alternative->score);
     fputs(", \"parameters\": [", file);
     for (size_t k = 0; k < candidate->ncolumn && !candidate->is_switch; k++) {

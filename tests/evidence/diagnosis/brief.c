@@ -3,6 +3,7 @@
  * command that a shell takes as it stands. */
 #include "evidence/diagnosis/report/brief.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 
 #include "evidence/diagnosis/report/text.h"
@@ -147,7 +148,10 @@ static void test_every_effect(void **state)
       a->value[p] = a->effect->parameters[p].default_value;
       w.addition_sigma[0][p] = 0.1;
     }
-    snprintf(first, sizeof first, "Missing: %s", a->effect->summary);
+    a->off = um_sensitivity_is_on(w.forward, a->effect);
+    snprintf(first, sizeof first, "%s%s",
+             a->off ? "Too much in the scenario: " : "Missing: ", a->effect->summary);
+    if (a->off) first[26] = (char)tolower(first[26]); /* "MLI" is none of them */
     um_diagnosis_say_effects(&d, 1, said);
     begins(said, first);
     assert_ok(um_diagnosis_report_brief(context, &d, COMMAND, "out", &brief));
@@ -177,6 +181,11 @@ static void test_group(void **state)
   has(brief, "\nWhere you know that it is not internal_power:bus, type: " COMMAND
              " --exclude internal_power:bus --out 'out/my pass-without'\n");
   has_not(brief, "Missing");
+  um_core_free(context, brief);
+  /* one folder is enough */
+  assert_ok(um_diagnosis_report_brief(context, &d, "umbra diagnose a --out 'my b' c --out=d", "e",
+                                      &brief));
+  has(brief, "type: umbra diagnose a c --exclude internal_power:bus --out e-without\n");
   um_core_free(context, brief);
 }
 
@@ -267,8 +276,7 @@ static void test_complete(void **state)
 static void test_four_effects(void **state)
 {
   (void)state;
-  static const char *const names[] = {"thin_film", "roughness", "bulk_temperature",
-                                      "internal_power"};
+  static const char *const names[] = {"thin_film", "roughness", "heat_capacity", "internal_power"};
   static const double worth[] = {-100.0, -9000.0, -500.0, -4000.0};
   struct um_model_addition addition[4];
   double sigma[4][UM_EFFECT_PARAMETERS_MAX];
@@ -276,7 +284,8 @@ static void test_four_effects(void **state)
   struct um_diagnosis_missed missed[9];
   struct um_diagnosis d = w.d;
   for (int i = 0; i < 4; i++) {
-    addition[i] = (struct um_model_addition){effect_named(names[i]), "bus", {0.0}};
+    addition[i] = (struct um_model_addition){
+        .effect = effect_named(names[i]), .target = "bus", .value = {0.0}};
     for (size_t p = 0; p < UM_EFFECT_PARAMETERS_MAX; p++) {
       addition[i].value[p] = 1.0;
       sigma[i][p] = 0.1;

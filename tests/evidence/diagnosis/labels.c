@@ -285,13 +285,43 @@ static void trials_are_as_one_by_one(void **state)
   end(&c);
 }
 
-/* Of the visible band alone nothing is said by the heat of the wing, and the Sun is a disc already:
- * both are named with the reason, and nothing is claimed of them. */
+/* What is on by default is tried off: air that the truth has not is found too much, and no shadow
+ * is moved for it. Where the shadow is moved, or nothing is, no switch is turned. */
+static void what_is_too_much_is_found(void **state)
+{
+  (void)state;
+  struct lists lists = {
+      .not_there = "shadow_refraction",
+      .only = LIST("shadow_radius", "oblateness", "shadow_refraction", "time_tag", "albedo")};
+  struct diagnosed c = diagnose(&lists);
+  assert_int_equal(c.d->verdict, UM_VERDICT_FOUND);
+  assert_int_equal(c.d->naddition, 1);
+  assert_true(c.d->addition[0].off);
+  assert_string_equal(c.d->addition[0].effect->name, "shadow_refraction");
+  /* no number is free, but the odds are 1 to 100: 2 ln 100 */
+  assert_true(fabs(c.d->bic_after - c.d->step[0].chi2 - 2.0 * log(100.0)) < 0.05);
+  assert_int_equal(
+      strncmp(c.d->summary, "Too much in the scenario: the Earth's air bends, spreads", 55), 0);
+  says(&c, "(shadow_refraction off; certain");
+  end(&c);
+  lists.not_there = NULL;
+  c = diagnose(&lists);
+  assert_int_equal(c.d->verdict, UM_VERDICT_COMPLETE);
+  end(&c);
+  lists.with = LIST("shadow_radius,shift_km=-15");
+  c = diagnose(&lists);
+  assert_int_equal(c.d->verdict, UM_VERDICT_FOUND);
+  assert_string_equal(c.d->addition[0].effect->name, "shadow_radius");
+  end(&c);
+}
+
+/* Of the visible band alone nothing is said by the heat of the wing, and the inside of the wing has
+ * no power: both are named with the reason, and nothing is claimed of them. */
 static void what_is_not_tried_is_named(void **state)
 {
   (void)state;
   struct lists lists = {.with = LIST("zero_point:vis,factor=0.9"),
-                        .only = LIST("heat_capacity:wing", "penumbra"),
+                        .only = LIST("heat_capacity:wing", "internal_power:wing"),
                         .of = "vis"};
   struct diagnosed c = diagnose(&lists);
   assert_int_equal(c.d->verdict, UM_VERDICT_UNEXPLAINED);
@@ -299,8 +329,9 @@ static void what_is_not_tried_is_named(void **state)
       strncmp(c.d->summary, "None of the effects asked for could be tried. The scenario is", 61),
       0);
   says(&c,
-       " Not tried: penumbra (the scenario already has it on), heat_capacity:wing (no observation "
-       "changes with it).");
+       " Not tried: internal_power:wing (effect 'internal_power': the part 'wing' has no "
+       "interior that could take the power; accepted: a part with interior), heat_capacity:wing "
+       "(no observation changes with it).");
   assert_int_equal(c.d->nmissed, 2);
   assert_false(c.d->missed[0].tested || c.d->missed[1].tested);
   end(&c);
@@ -324,6 +355,7 @@ int main(void)
                                      cmocka_unit_test(hopeless_fit_is_pruned),
                                      cmocka_unit_test(what_is_left_of_a_pair_has_its_step),
                                      cmocka_unit_test(trials_are_as_one_by_one),
+                                     cmocka_unit_test(what_is_too_much_is_found),
                                      cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

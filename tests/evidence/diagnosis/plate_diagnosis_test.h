@@ -13,6 +13,7 @@ struct lists {
   const char *const *set, *const *with, *const *only; /* end with NULL, or NULL */
   const char *const *truth;                           /* more --set of the truth */
   const char *without;                                /* that the analyst lacks */
+  const char *not_there;                              /* on by default, off in the truth */
   const char *of;                                     /* the only band measured; NULL: both */
   double from, to;     /* rows left in [s since the start]; both 0: all */
   size_t alternatives; /* fitted in a round; 0: as many as usual */
@@ -42,8 +43,12 @@ static inline void measure(const struct lists *lists, struct um_compare_measurem
   size_t n = 0;
   for (size_t i = 0; i < count(lists->set); i++) set[n++] = lists->set[i];
   for (size_t i = 0; i < count(lists->truth); i++) set[n++] = lists->truth[i];
-  const struct um_model_options options = {
-      .overrides = set, .noverride = n, .with = lists->with, .nwith = count(lists->with)};
+  const struct um_model_options options = {.overrides = set,
+                                           .noverride = n,
+                                           .with = lists->with,
+                                           .nwith = count(lists->with),
+                                           .without = &lists->not_there,
+                                           .nwithout = lists->not_there != NULL};
   double first = measured_make(context, path, &options, out);
   for (size_t i = 0; i < (*out)->count; i++) {
     struct um_compare_measurement *row = &(*out)->row[i];

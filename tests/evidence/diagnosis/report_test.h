@@ -161,9 +161,12 @@ static inline void world_make(struct world *w)
                                           UM_VARIANT_TIGHT, &w->forward));
   struct um_diagnosis *d = &w->d;
   size_t n = w->forward->observations.count;
-  w->addition[0] = (struct um_model_addition){effect_named("internal_power"), "bus", {41.5}};
-  w->addition[1] = (struct um_model_addition){effect_named("panel_extraction"), "panel", {0.1875}};
-  w->nuisance[0] = (struct um_model_addition){effect_named("zero_point"), "lwir", {1.0078125}};
+  w->addition[0] = (struct um_model_addition){
+      .effect = effect_named("internal_power"), .target = "bus", .value = {41.5}};
+  w->addition[1] = (struct um_model_addition){
+      .effect = effect_named("panel_extraction"), .target = "panel", .value = {0.1875}};
+  w->nuisance[0] = (struct um_model_addition){
+      .effect = effect_named("zero_point"), .target = "lwir", .value = {1.0078125}};
   w->addition_sigma[0][0] = 0.7;
   w->addition_sigma[1][0] = 0.01;
   w->nuisance_sigma[0][0] = 0.003;
