@@ -450,6 +450,7 @@ struct umbra_estimate {
 
 struct umbra_alternative {
   const char *effect, *target; /* target NULL: everything */
+  int off;                     /* not 0: it is on by default, and turned off */
   int fitted;                  /* 0: tested by the linear model alone, which has no estimates */
   int tied;                    /* these measurements cannot tell it from what was found */
   int implausible;             /* further than 3 prior widths from where it vanishes */
@@ -460,6 +461,7 @@ struct umbra_alternative {
 
 struct umbra_finding {
   const char *effect, *target; /* target NULL: everything */
+  int off;                     /* not 0: it is on by default, and too much */
   enum umbra_confidence confidence;
   double p_value;                        /* corrected for all that were tested; NaN: chosen */
   double delta_bic;                      /* below 0: better than without; NaN: chosen */

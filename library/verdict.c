@@ -42,6 +42,7 @@ static enum um_status alternatives(struct um_context *context, struct um_library
     list[i] = (struct umbra_alternative){
         .effect = candidate->effect->name,
         .target = candidate->target,
+        .off = candidate->off,
         .fitted = from->fitted,
         .tied = from->indistinguishable,
         .implausible = from->implausible,
@@ -63,6 +64,7 @@ static enum um_status finding(struct um_context *context, struct um_library_diag
 {
   *to = (struct umbra_finding){.effect = addition->effect->name,
                                .target = addition->target,
+                               .off = addition->off,
                                .confidence = UMBRA_CHOSEN,
                                .p_value = NAN,
                                .delta_bic = NAN,

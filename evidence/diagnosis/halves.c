@@ -28,15 +28,15 @@ static double alone(const struct um_diagnosis *d, const struct um_diagnosis_stat
 }
 
 /* The half whose error a correction of light would be, by its coordinate. */
-static enum um_effects_half half_of_light(const struct um_missing_light *l)
+static enum um_effects_half half_of_light(enum um_missing_light_kind kind,
+                                          enum um_effect_coordinate coordinate)
 {
-  if (l->coordinate == UM_COORDINATE_AIRMASS || l->coordinate == UM_COORDINATE_ELEVATION ||
-      l->coordinate == UM_COORDINATE_AZIMUTH)
+  if (coordinate == UM_COORDINATE_AIRMASS || coordinate == UM_COORDINATE_ELEVATION ||
+      coordinate == UM_COORDINATE_AZIMUTH)
     return UM_HALF_AIR;
-  if (l->coordinate == UM_COORDINATE_SUNLIT || l->coordinate == UM_COORDINATE_NADIR_SUN)
+  if (coordinate == UM_COORDINATE_SUNLIT || coordinate == UM_COORDINATE_NADIR_SUN)
     return UM_HALF_EARTH;
-  if (l->kind == UM_LIGHT_IRRADIANCE || l->coordinate == UM_COORDINATE_TIME)
-    return UM_HALF_INSTRUMENT;
+  if (kind == UM_LIGHT_IRRADIANCE || coordinate == UM_COORDINATE_TIME) return UM_HALF_INSTRUMENT;
   return UM_HALF_SURFACE;
 }
 
@@ -59,6 +59,16 @@ static void put(double gain[UM_HALVES], enum um_effects_half half, double of)
   if (isfinite(of)) gain[half] = fmax(gain[half], of);
 }
 
+/* The best correction of light, and what could be in its place. */
+static void put_light(double gain[UM_HALVES], const struct um_missing_light *l)
+{
+  if (!l->any) return;
+  put(gain, half_of_light(l->kind, l->coordinate), l->worth);
+  for (size_t i = 0; i < l->nrival; i++)
+    put(gain, half_of_light(l->rival[i].kind, l->rival[i].coordinate),
+        l->worth - l->rival[i].behind);
+}
+
 void um_diagnosis_halves_assign(const struct um_diagnosis_state *bare, struct um_diagnosis *d)
 {
   double gain[UM_HALVES], together[UM_HALVES] = {0}, several = -INFINITY, most, sum = 0.0;
@@ -78,7 +88,7 @@ void um_diagnosis_halves_assign(const struct um_diagnosis_state *bare, struct um
   }
   if (heat != NULL && heat->nheat > 0)
     put(gain, UM_HALF_HEAT, gain_of_heat(heat, (double)bare->fit->nobservation));
-  if (light->any) put(gain, half_of_light(light), light->worth);
+  put_light(gain, light);
   for (size_t i = 0; i < d->naddition; i++)
     together[um_effects_half_of(d->addition[i].effect)] += 1.0 / (double)d->naddition;
   if (d->naddition > 1) several = um_diagnosis_gain(d, bare, d->bic_after);

@@ -32,7 +32,7 @@ struct um_sensitivity_quality {
 };
 
 struct um_sensitivity_candidate {
-  char *name; /* "emittance:sphere_paint", "albedo", "albedo off"; owned */
+  char *name; /* "emittance:sphere_paint", "albedo", "albedo=off"; owned */
   const struct um_effect *effect;
   char *target;   /* owned; NULL: global */
   size_t ncolumn; /* of the signature: the free parameters; 1 for a core switch */

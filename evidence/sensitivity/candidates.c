@@ -16,9 +16,9 @@
 /* --- which ----------------------------------------------------------------------------------- */
 
 /* What is on by default is tried off, and said to be. */
-#define OFF " off"
+#define OFF "=off"
 
-/* Is "effect", "effect:target" or "effect off" this candidate? */
+/* Is "effect", "effect:target" or "effect=off" this candidate? */
 static bool means(const char *text, const struct um_effect *effect, const char *target)
 {
   size_t n = strlen(effect->name);
@@ -41,7 +41,7 @@ static enum um_status check_names(struct um_context *context, const struct um_mo
 {
   for (size_t i = 0; i < count; i++) {
     char name[64] = "";
-    size_t n = strcspn(text[i], ": ");
+    size_t n = strcspn(text[i], ":=");
     memcpy(name, text[i], n < sizeof name ? n : sizeof name - 1);
     if (n < sizeof name && um_model_effects_find(model, name) != NULL) continue;
     enum um_status status = um_effects_registry_refuse(context, model->registry, name);
@@ -178,7 +178,7 @@ static enum um_status look_for_dropped(struct um_context *context,
     const char *text = o->only[i], *colon = strchr(text, ':');
     char name[64] = "";
     if (is_listed(text, list)) continue;
-    memcpy(name, text, strcspn(text, ": ")); /* it fits: check_names found the effect */
+    memcpy(name, text, strcspn(text, ":=")); /* it fits: check_names found the effect */
     const struct um_effect *effect = um_model_effects_find(forward->model, name);
     const char *target = colon == NULL ? NULL : colon + 1;
     enum um_status status =

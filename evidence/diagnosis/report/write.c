@@ -30,7 +30,7 @@ static void ranking_rows(FILE *file, const struct um_sensitivity_candidate *cand
   size_t n = candidate->is_switch || score == NULL ? 0 : candidate->ncolumn;
   for (size_t k = 0; k < (n > 0 ? n : 1); k++) {
     if (rank > 0) fprintf(file, "%zu", rank);
-    um_core_csv_put_text(file, candidate->effect->name, "");
+    um_core_csv_put_text(file, candidate->off ? candidate->name : candidate->effect->name, "");
     um_core_csv_put_text(file, candidate->target != NULL ? candidate->target : "", "");
     const double figure[] = {
         score == NULL ? (double)NAN : score->statistic, score == NULL ? (double)NAN : score->dof,

@@ -285,6 +285,27 @@ static void trials_are_as_one_by_one(void **state)
   end(&c);
 }
 
+/* A correction of light that another one is as good as leaves the half open by as much: 2 in BIC
+ * are odds of e to 1. */
+static void halves_have_what_could_be_in_its_place(void **state)
+{
+  (void)state;
+  struct um_inference_fit fit = {.nobservation = 100};
+  const struct um_diagnosis_state bare = {.fit = &fit};
+  struct um_diagnosis d = {
+      .verdict = UM_VERDICT_UNEXPLAINED,
+      .light = {
+          .any = true,
+          .kind = UM_LIGHT_FACTOR,
+          .coordinate = UM_COORDINATE_TURN_Y,
+          .worth = 100.0,
+          .nrival = 1,
+          .rival = {{.kind = UM_LIGHT_FACTOR, .coordinate = UM_COORDINATE_SUNLIT, .behind = 2.0}}}};
+  um_diagnosis_halves_assign(&bare, &d);
+  assert_true(fabs(d.half[UM_HALF_EARTH] / d.half[UM_HALF_SURFACE] - exp(-1.0)) < 1e-12);
+  assert_true(fabs(d.half[UM_HALF_EARTH] + d.half[UM_HALF_SURFACE] - 1.0) < 1e-12);
+}
+
 /* What is on by default is tried off: air that the truth has not is found too much, and no shadow
  * is moved for it. Where the shadow is moved, or nothing is, no switch is turned. */
 static void what_is_too_much_is_found(void **state)
@@ -355,6 +376,7 @@ int main(void)
                                      cmocka_unit_test(hopeless_fit_is_pruned),
                                      cmocka_unit_test(what_is_left_of_a_pair_has_its_step),
                                      cmocka_unit_test(trials_are_as_one_by_one),
+                                     cmocka_unit_test(halves_have_what_could_be_in_its_place),
                                      cmocka_unit_test(what_is_too_much_is_found),
                                      cmocka_unit_test(what_is_not_tried_is_named)};
   return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -33,7 +33,7 @@ static void test_list(void **state)
       "internal_power", "zero_point", "roughness", "time_tag", "contact_conductance",
       "mli_emittance",  "albedo",     "earth_ir",  "heater"};
   static const char *const expected[] = {"albedo",
-                                         "earth_ir off",
+                                         "earth_ir=off",
                                          "internal_power:bus",
                                          "internal_power:panel",
                                          "heater:bus",
@@ -82,7 +82,7 @@ static void test_list(void **state)
   c = named(list, "albedo");
   assert_true(c->is_switch && !c->off && !c->insensitive && c->ncolumn == 1);
   /* what is on is tried off: the Earth's own heat, which is less of a temperature */
-  const struct um_sensitivity_candidate *on = named(list, "earth_ir off");
+  const struct um_sensitivity_candidate *on = named(list, "earth_ir=off");
   assert_true(on->is_switch && on->off && !on->insensitive && on->signature[3] < 0.0);
   assert_true(um_sensitivity_is_on(f, on->effect) && !um_sensitivity_is_on(f, c->effect));
   /* albedo warms: the whole change of a temperature observation is above 0 */
@@ -107,7 +107,7 @@ static void test_list(void **state)
       .only = none, .nonly = 3, .exclude = one, .nexclude = 1};
   assert_ok(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list));
   assert_int_equal(list->count, 2);
-  assert_true(named(list, "penumbra off")->off); /* it is on by default */
+  assert_true(named(list, "penumbra=off")->off); /* it is on by default */
   assert_int_equal(list->ndropped, 1);
   assert_string_equal(list->dropped[0].name, "extinction:lwir");
   assert_string_equal(list->dropped[0].why, "it is excluded");
@@ -235,7 +235,7 @@ static void test_environment(void **state)
     named(list, "albedo_level");
     named(list, "shadow_air");
     named(list, varied ? "cloud_in_mirror" : "earth_map");
-    if (varied) named(list, "earth_map off");
+    if (varied) named(list, "earth_map=off");
     um_sensitivity_candidates_destroy(context, &list);
     um_sensitivity_forward_destroy(context, &f);
   }
