@@ -235,7 +235,9 @@ static inline void world_make(struct world *w)
   d->next_of = w->next;
   d->next = &w->next[0];
   w->superseded = (struct um_diagnosis_superseded){
-      .addition = {effect_named("earth_ir_level"), NULL, {0.5}}, .sigma = {0.01}, .bic = 150.0};
+      .addition = {.effect = effect_named("earth_ir_level"), .value = {0.5}},
+      .sigma = {0.01},
+      .bic = 150.0};
   d->bic_after = 140.0;
   d->nsuperseded = 1;
   d->superseded = &w->superseded;
