@@ -64,9 +64,9 @@ static void put_light(double gain[UM_HALVES], const struct um_missing_light *l)
 {
   if (!l->any) return;
   put(gain, half_of_light(l->kind, l->coordinate), l->worth);
-  for (size_t i = 0; i < l->nrival; i++)
-    put(gain, half_of_light(l->rival[i].kind, l->rival[i].coordinate),
-        l->worth - l->rival[i].behind);
+  for (size_t i = 0; i < l->nalternative; i++)
+    put(gain, half_of_light(l->alternative[i].kind, l->alternative[i].coordinate),
+        l->worth - l->alternative[i].behind);
 }
 
 void um_diagnosis_halves_assign(const struct um_diagnosis_state *bare, struct um_diagnosis *d)

@@ -83,10 +83,10 @@
 #define UM_DIAGNOSIS_PRIOR_NOTHING 0.5
 #define UM_DIAGNOSIS_PRIOR_ONE     0.35
 #define UM_DIAGNOSIS_PRIOR_SEVERAL 0.1
+#define UM_DIAGNOSIS_PRIOR_NONE    0.05
 /* In BIC [1], that something is off which is on by default: true nearly always, 1 to 100. HAND:
  * data may come from a program that has it not. */
-#define UM_DIAGNOSIS_OFF        9.2
-#define UM_DIAGNOSIS_PRIOR_NONE 0.05
+#define UM_DIAGNOSIS_OFF 9.2
 
 /* ---- what convinces a sceptic (sceptic.c) ---- */
 

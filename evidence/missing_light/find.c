@@ -96,9 +96,9 @@ static void choose(struct um_missing_light_search *s, bool *done, struct um_miss
       continue;
     }
     double behind = out->worth - um_missing_light_worth(s->o, a, out->scale);
-    if (behind > UM_MISSING_LIGHT_RIVAL || out->nrival == UM_MISSING_LIGHT_RIVALS) break;
-    out->rival[out->nrival++] =
-        (struct um_missing_light_rival){a->kind, material_of(s->o, a), a->coordinate, behind};
+    if (behind > UM_MISSING_LIGHT_TIED || out->nalternative == UM_MISSING_LIGHT_ALTERNATIVES) break;
+    out->alternative[out->nalternative++] =
+        (struct um_missing_light_alternative){a->kind, material_of(s->o, a), a->coordinate, behind};
   }
 }
 

@@ -22,13 +22,13 @@ const char *um_missing_light_kind_name(enum um_missing_light_kind kind);
 const char *um_missing_light_coordinate_name(enum um_effect_coordinate coordinate);
 
 /* What could be in its place. */
-struct um_missing_light_rival {
+struct um_missing_light_alternative {
   enum um_missing_light_kind kind;
   const char *material; /* NULL: all light; borrowed from the forward's model */
   enum um_effect_coordinate coordinate;
   double behind; /* BIC [1] */
 };
-#define UM_MISSING_LIGHT_RIVALS 6
+#define UM_MISSING_LIGHT_ALTERNATIVES 6
 
 struct um_missing_light {
   bool any; /* something was fitted: there is light, and a coordinate that varies */
@@ -50,8 +50,8 @@ struct um_missing_light {
   size_t tried;
   /* it is worth UM_MISSING_LIGHT_EVIDENCE for all that were tried, and leaves little but noise */
   bool found;
-  size_t nrival;
-  struct um_missing_light_rival rival[UM_MISSING_LIGHT_RIVALS];
+  size_t nalternative;
+  struct um_missing_light_alternative alternative[UM_MISSING_LIGHT_ALTERNATIVES];
 };
 
 /* Arguments as of um_missing_heat_unexplained_create; value and nuisance are those of the fit of

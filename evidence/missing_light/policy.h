@@ -41,7 +41,7 @@
  * gives several coordinates that fit alike. */
 #define UM_MISSING_LIGHT_ODD 10.0
 /* BIC behind the best [1], up to which others are named. Convention: odds of 150 to 1. */
-#define UM_MISSING_LIGHT_RIVAL 10.0
+#define UM_MISSING_LIGHT_TIED 10.0
 
 /* ---- whether it explains ---- */
 

@@ -23,8 +23,15 @@ static bool means(const char *text, const struct um_effect *effect, const char *
 {
   size_t n = strlen(effect->name);
   if (strncmp(text, effect->name, n) != 0) return false;
-  if (text[n] == '\0' || strcmp(text + n, OFF) == 0) return true;
+  if (text[n] == '\0' || (effect->on_by_default && strcmp(text + n, OFF) == 0)) return true;
   return text[n] == ':' && target != NULL && strcmp(text + n + 1, target) == 0;
+}
+
+/* Of the name that "effect", "effect:target" or "effect=off" begins with. */
+static size_t name_length(const char *text)
+{
+  size_t n = strcspn(text, ":"), m = strcspn(text, "=");
+  return strcmp(text + m, OFF) == 0 ? m : n;
 }
 
 static bool listed(const char *const *text, size_t count, const struct um_effect *effect,
@@ -41,7 +48,7 @@ static enum um_status check_names(struct um_context *context, const struct um_mo
 {
   for (size_t i = 0; i < count; i++) {
     char name[64] = "";
-    size_t n = strcspn(text[i], ":=");
+    size_t n = name_length(text[i]);
     memcpy(name, text[i], n < sizeof name ? n : sizeof name - 1);
     if (n < sizeof name && um_model_effects_find(model, name) != NULL) continue;
     enum um_status status = um_effects_registry_refuse(context, model->registry, name);
@@ -178,7 +185,7 @@ static enum um_status look_for_dropped(struct um_context *context,
     const char *text = o->only[i], *colon = strchr(text, ':');
     char name[64] = "";
     if (is_listed(text, list)) continue;
-    memcpy(name, text, strcspn(text, ":=")); /* it fits: check_names found the effect */
+    memcpy(name, text, name_length(text)); /* it fits: check_names found the effect */
     const struct um_effect *effect = um_model_effects_find(forward->model, name);
     const char *target = colon == NULL ? NULL : colon + 1;
     enum um_status status =

@@ -68,7 +68,8 @@ static void put_but_folder(FILE *file, const char *command)
   for (const char *from = command; *from != '\0'; from += *from == ' ') {
     size_t n = word_length(from);
     snprintf(word, sizeof word, "%.*s", (int)n, from);
-    bool option = strcmp(word, "--out") == 0, skipped = folder || strncmp(word, "--out=", 6) == 0;
+    bool option = strcmp(word, "--out") == 0 || strcmp(word, "-o") == 0;
+    bool skipped = folder || strncmp(word, "--out=", 6) == 0;
     if (!option && !skipped && from != command) fputc(' ', file);
     if (!option && !skipped) um_core_text_put(file, word);
     folder = option;

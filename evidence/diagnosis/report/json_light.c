@@ -28,11 +28,11 @@ static void json_curve(FILE *file, const struct um_missing_light *l)
   fputs("]}", file);
 }
 
-static void json_rivals(FILE *file, const struct um_missing_light *l)
+static void json_others(FILE *file, const struct um_missing_light *l)
 {
   fputs(", \"others\": [", file);
-  for (size_t i = 0; i < l->nrival; i++) {
-    const struct um_missing_light_rival *r = &l->rival[i];
+  for (size_t i = 0; i < l->nalternative; i++) {
+    const struct um_missing_light_alternative *r = &l->alternative[i];
     um_core_json_text(file, i > 0 ? ", {" : "{", "kind", um_missing_light_kind_name(r->kind));
     um_core_json_text(file, ", ", "material", r->material);
     um_core_json_text(file, ", ", "coordinate", um_missing_light_coordinate_name(r->coordinate));
@@ -75,7 +75,7 @@ void um_diagnosis_report_json_light(FILE *file, const char *key, const struct um
   um_core_json_field(file, ", ", "chi2_explained", l->chi2_before - l->chi2_after);
   um_core_json_field(file, ", ", "chi2_after", l->chi2_after);
   um_core_json_field(file, ", ", "bic_gain", l->worth);
-  json_rivals(file, l);
+  json_others(file, l);
   fputc('}', file);
 }
 

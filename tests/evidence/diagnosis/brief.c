@@ -183,8 +183,8 @@ static void test_group(void **state)
   has_not(brief, "Missing");
   um_core_free(context, brief);
   /* one folder is enough */
-  assert_ok(um_diagnosis_report_brief(context, &d, "umbra diagnose a --out 'my b' c --out=d", "e",
-                                      &brief));
+  assert_ok(um_diagnosis_report_brief(context, &d, "umbra diagnose a --out 'my b' c --out=d -o f",
+                                      "e", &brief));
   has(brief, "type: umbra diagnose a c --exclude internal_power:bus --out e-without\n");
   um_core_free(context, brief);
 }

@@ -294,13 +294,13 @@ static void halves_have_what_could_be_in_its_place(void **state)
   const struct um_diagnosis_state bare = {.fit = &fit};
   struct um_diagnosis d = {
       .verdict = UM_VERDICT_UNEXPLAINED,
-      .light = {
-          .any = true,
-          .kind = UM_LIGHT_FACTOR,
-          .coordinate = UM_COORDINATE_TURN_Y,
-          .worth = 100.0,
-          .nrival = 1,
-          .rival = {{.kind = UM_LIGHT_FACTOR, .coordinate = UM_COORDINATE_SUNLIT, .behind = 2.0}}}};
+      .light = {.any = true,
+                .kind = UM_LIGHT_FACTOR,
+                .coordinate = UM_COORDINATE_TURN_Y,
+                .worth = 100.0,
+                .nalternative = 1,
+                .alternative = {
+                    {.kind = UM_LIGHT_FACTOR, .coordinate = UM_COORDINATE_SUNLIT, .behind = 2.0}}}};
   um_diagnosis_halves_assign(&bare, &d);
   assert_true(fabs(d.half[UM_HALF_EARTH] / d.half[UM_HALF_SURFACE] - exp(-1.0)) < 1e-12);
   assert_true(fabs(d.half[UM_HALF_EARTH] + d.half[UM_HALF_SURFACE] - 1.0) < 1e-12);

@@ -105,7 +105,7 @@ static void say(const struct um_missing_light *l)
   char text[UM_MISSING_LIGHT_TEXT];
   um_missing_light_text(l, text);
   print_message("  %s; chi-square %.4g to %.4g, worth %.4g, %zu others\n", text, l->chi2_before,
-                l->chi2_after, l->worth, l->nrival);
+                l->chi2_after, l->worth, l->nalternative);
 }
 
 /* Twenty sets of noise: nothing is found, and nothing is worth what the number of trials costs. */

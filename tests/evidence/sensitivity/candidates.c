@@ -118,6 +118,11 @@ static void test_list(void **state)
   assert_int_equal(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list), UM_ERR_INPUT);
   assert_non_null(strstr(um_core_message(context), "--only extinction:swir: nothing that "
                                                    "'extinction' acts on is called 'swir'"));
+  /* nothing but off stands behind '=' */
+  static const char *const valued[] = {"albedo=0.3"};
+  o = (struct um_sensitivity_candidates_options){.only = valued, .nonly = 1};
+  um_core_message_clear(context);
+  assert_int_equal(um_sensitivity_candidates_create(context, f, NULL, 0, &o, &list), UM_ERR_INPUT);
   static const char *const wrong[] = {"zero_pont:vis"};
   o = (struct um_sensitivity_candidates_options){.only = wrong, .nonly = 1};
   um_core_message_clear(context);
