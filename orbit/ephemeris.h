@@ -16,19 +16,18 @@ struct um_orbit_earth_motion {
   double v_b[3]; /* relative to the barycentre of the solar system [au/d] */
 };
 
-/* What was asked before, kept by its time: variants of a scenario ask for the same instants. It
- * gives the bits that the series give. May be asked by several threads. */
+/* The series at nodes of an hour, which are kept, with cubics between them. What is asked first
+ * has no say in the answer. May be asked by several threads. */
 struct um_orbit_ephemeris;
 
-/* Empty, with room for some 30,000 instants; further ones are not kept. Out: the caller destroys.
- * UM_ERR_MEMORY. */
+/* Empty. Out: the caller destroys. UM_ERR_MEMORY. */
 enum um_status um_orbit_ephemeris_create(struct um_context *context,
                                          struct um_orbit_ephemeris **out);
 /* Accepts NULL, sets NULL. */
 void um_orbit_ephemeris_destroy(struct um_context *context, struct um_orbit_ephemeris **ephemeris);
 
-/* Both by ERFA's series (eraXys06a, eraEpv00), TDB taken as TT. ephemeris NULL: nothing is kept.
- * Do not fail in 1900-2100. */
+/* Both by ERFA's series (eraXys06a, eraEpv00), TDB taken as TT. ephemeris NULL: the series
+ * themselves; else within 1e-14 rad, 1e-13 au and 1e-14 au/d of them. Do not fail in 1900-2100. */
 void um_orbit_ephemeris_cip(struct um_orbit_ephemeris *ephemeris, double t_tai,
                             struct um_orbit_cip *out);
 void um_orbit_ephemeris_earth(struct um_orbit_ephemeris *ephemeris, double t_tai,
