@@ -118,26 +118,24 @@ struct layers {
   double cooling;      /* [K] */
 };
 
-struct um_environment_infrared_depths
-um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
-                               double airmass)
+struct um_environment_infrared_amounts
+um_environment_infrared_amounts(const struct um_environment_clear_sky *sky, double airmass)
 {
   double w = 0.1 * sky->water, ozone = sky->ozone_dobson / DOBSON_PER_CM;
-  struct um_environment_infrared_node k = um_environment_infrared_at(1.0 / wavelength);
-  return (struct um_environment_infrared_depths){.uniform = k.uniform * sky->pressure *
-                                                            pow(airmass, CARBON),
-                                                 .water = k.water * pow(w * airmass, LINES),
-                                                 .continuum = k.continuum * w * w * airmass,
-                                                 .ozone = k.ozone * pow(ozone * airmass, OZONE),
-                                                 .cooling = k.cooling};
+  return (struct um_environment_infrared_amounts){.uniform = sky->pressure * pow(airmass, CARBON),
+                                                  .water = pow(w * airmass, LINES),
+                                                  .continuum = w * w * airmass,
+                                                  .ozone = pow(ozone * airmass, OZONE)};
 }
 
 static struct layers infrared_at(const struct um_environment_clear_sky *sky, double wavelength,
                                  double x)
 {
-  struct um_environment_infrared_depths d = um_environment_infrared_depths(sky, wavelength, x);
-  double lower = d.uniform + d.water + d.continuum + aerosol_depth(sky, wavelength) * x;
-  return (struct layers){exp(-lower), exp(-d.ozone), d.cooling};
+  struct um_environment_infrared_node k = um_environment_infrared_at(1.0 / wavelength);
+  struct um_environment_infrared_amounts a = um_environment_infrared_amounts(sky, x);
+  double lower = k.uniform * a.uniform + k.water * a.water + k.continuum * a.continuum +
+                 aerosol_depth(sky, wavelength) * x;
+  return (struct layers){exp(-lower), exp(-k.ozone * a.ozone), k.cooling};
 }
 
 typedef double at_wavelength(const struct um_environment_clear_sky *, double wavelength,

@@ -45,14 +45,12 @@ double um_environment_clear_sky_transmission(const struct um_environment_clear_s
  * scattered light (sky_light.h) or heat. To 7 % of LOWTRAN7 in 2 1/cm. */
 double um_environment_clear_sky_radiance(const struct um_environment_clear_sky *sky, double from,
                                          double to, double airmass);
-/* Optical depths of a whole column along a path (clear_sky.c), at an infrared wavelength [m] that
- * is covered. */
-struct um_environment_infrared_depths {
-  double uniform, water, continuum, ozone; /* [1] */
-  double cooling;                          /* [K] */
+/* Amounts of a whole column along a path, in the units of the coefficients
+ * (clear_sky_cells_impl.h): an infrared optical depth is their product [1]. */
+struct um_environment_infrared_amounts {
+  double uniform, water, continuum, ozone;
 };
-struct um_environment_infrared_depths
-um_environment_infrared_depths(const struct um_environment_clear_sky *sky, double wavelength,
-                               double airmass);
+struct um_environment_infrared_amounts
+um_environment_infrared_amounts(const struct um_environment_clear_sky *sky, double airmass);
 
 #endif

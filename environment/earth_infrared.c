@@ -31,61 +31,122 @@
 #define OZONE         340.0 /* [DU] */
 #define CLOUD_BELOW   25.0  /* cloud tops below the ground's temperature [K] */
 #define COLDEST_CLOUD 190.0 /* [K] */
+/* What the coefficients cover [m]. */
+#define SHORTEST (1.0 / (UM_INFRARED_FIRST + UM_INFRARED_STEP * (UM_INFRARED_NODES - 1)))
+#define LONGEST  (1.0 / UM_INFRARED_FIRST)
+#define EDGE     1e-12 /* rounding of an edge that is meant [1] */
+#define VIEWS    16    /* at once */
+
+/* Air above a black surface: of each level what of an amount is above it, and how warm the layer
+ * below it is. Level 0 is the surface. */
+struct column {
+  struct um_environment_clear_sky air;
+  double gas[LAYERS + 1], water[LAYERS + 1], continuum[LAYERS + 1]; /* [1] */
+  double glow[LAYERS + 1], top, ozone;                              /* [K]; glow[0]: the surface */
+};
+
+static struct column column_of(double below, double height, double surface)
+{
+  struct column c = {.air = {.water = 17.5 * exp(0.064 * (surface - 288.0)),
+                             .ozone_dobson = OZONE,
+                             .pressure = 1.0},
+                     .ozone = OZONE_AT + OZONE_SLOPE * (surface - 288.0)};
+  double lower = height;
+  for (int k = 0; k <= LAYERS; k++) {
+    double share = (double)k / LAYERS, z = fmax(height, TOP * share * sqrt(share));
+    c.gas[k] = exp(-z / GAS_HEIGHT);
+    c.water[k] = exp(-0.6 * z / WATER_HEIGHT);
+    c.continuum[k] = exp(-2.0 * z / WATER_HEIGHT);
+    c.glow[k] = k == 0 ? below : surface - LAPSE * 0.5 * (lower + z);
+    lower = z;
+  }
+  c.top = surface - LAPSE * fmax(lower, TOP);
+  return c;
+}
+
+static void amounts_of(const struct column *c, const double *cosine, size_t n,
+                       struct um_environment_infrared_amounts *out)
+{
+  for (size_t i = 0; i < n; i++)
+    out[i] = um_environment_infrared_amounts(
+        &c->air, um_environment_airmass(asin(fmin(fmax(cosine[i], 0.0), 1.0))));
+}
+
+/* Toward n views, of a wavelength that the coefficients cover. */
+static void upward(const struct column *c, double wavelength,
+                   const struct um_environment_infrared_amounts *amount, size_t n, double *out)
+{
+  struct um_environment_infrared_node k = um_environment_infrared_at(1.0 / wavelength);
+  double glow[LAYERS + 1], top = um_core_planck_radiance(wavelength, c->top);
+  double ozone = um_core_planck_radiance(wavelength, c->ozone);
+  for (int l = 0; l <= LAYERS; l++) glow[l] = um_core_planck_radiance(wavelength, c->glow[l]);
+  for (size_t i = 0; i < n; i++) {
+    double gas = k.uniform * amount[i].uniform, water = k.water * amount[i].water;
+    double continuum = k.continuum * amount[i].continuum, last = 0.0, sum = 0.0;
+    for (int l = 0; l <= LAYERS; l++) {
+      double t = exp(-gas * c->gas[l] - water * c->water[l] - continuum * c->continuum[l]);
+      sum += (t - last) * glow[l];
+      last = t;
+    }
+    double through = exp(-k.ozone * amount[i].ozone);
+    out[i] = through * (sum + (1.0 - last) * top) + (1.0 - through) * ozone;
+  }
+}
 
 double um_environment_earth_upward(double wavelength, double below, double height, double surface,
                                    double cosine)
 {
-  struct um_environment_clear_sky air = {
-      .water = 17.5 * exp(0.064 * (surface - 288.0)), .ozone_dobson = OZONE, .pressure = 1.0};
-  if (!um_environment_clear_sky_covers(&air, wavelength, wavelength) || wavelength < 2e-6)
+  struct column c = column_of(below, height, surface);
+  struct um_environment_infrared_amounts amount;
+  double out;
+  if (wavelength < SHORTEST * (1.0 - EDGE) || wavelength > LONGEST * (1.0 + EDGE))
     return um_core_planck_radiance(wavelength, below);
-  double x = um_environment_airmass(asin(fmin(fmax(cosine, 0.0), 1.0)));
-  struct um_environment_infrared_depths depth = um_environment_infrared_depths(&air, wavelength, x);
-  double sum = 0.0, last = 0.0, lower = height;
-  for (int k = 0; k <= LAYERS; k++) {
-    double share = (double)k / LAYERS, z = fmax(height, TOP * share * sqrt(share));
-    double t =
-        exp(-depth.uniform * exp(-z / GAS_HEIGHT) - depth.water * exp(-0.6 * z / WATER_HEIGHT) -
-            depth.continuum * exp(-2.0 * z / WATER_HEIGHT));
-    double glow = surface - LAPSE * 0.5 * (lower + z);
-    sum += k == 0 ? t * um_core_planck_radiance(wavelength, below)
-                  : (t - last) * um_core_planck_radiance(wavelength, glow);
-    last = t;
-    lower = z;
+  amounts_of(&c, &cosine, 1, &amount);
+  upward(&c, wavelength, &amount, 1, &out);
+  return out;
+}
+
+/* 1 + integral of (L - B) over the integral of B, toward n <= VIEWS views: beyond what the
+ * coefficients cover L is B. */
+static void ratios(double from, double to, double below, double surface, const double *cosine,
+                   size_t n, double *out)
+{
+  struct column c = column_of(below, (surface - below) / LAPSE, surface);
+  struct um_environment_infrared_amounts amount[VIEWS];
+  double first = fmax(from, SHORTEST), last = fmin(to, LONGEST), radiance[VIEWS];
+  double width = to > from ? last - first : 1.0;
+  double black =
+      to > from ? um_core_planck_band(from, to, below) : um_core_planck_radiance(from, below);
+  for (size_t i = 0; i < n; i++) out[i] = 1.0;
+  if (last < first || !(black > 0.0)) return;
+  int steps = (int)fmax(ceil((last - first) / (0.5 * UM_INFRARED_STEP * first * first)), 1.0);
+  amounts_of(&c, cosine, n, amount);
+  for (int k = 0; k < steps; k++) {
+    double at = first + (last - first) * (k + 0.5) / steps;
+    upward(&c, at, amount, n, radiance);
+    for (size_t i = 0; i < n; i++)
+      out[i] += width / steps * (radiance[i] - um_core_planck_radiance(at, below)) / black;
   }
-  sum += (1.0 - last) * um_core_planck_radiance(wavelength, surface - LAPSE * fmax(lower, TOP));
-  double ozone = OZONE_AT + OZONE_SLOPE * (surface - 288.0), through = exp(-depth.ozone);
-  return through * sum + (1.0 - through) * um_core_planck_radiance(wavelength, ozone);
 }
 
-static double ratio(double from, double to, double below, double surface, double cosine)
+void um_environment_earth_ratios(double from, double to, double temperature, const double *cosine,
+                                 size_t n, double *clear, double *cloud)
 {
-  double height = (surface - below) / LAPSE, sum = 0.0, black = 0.0;
-  int n = (int)ceil((to - from) / (0.5 * UM_INFRARED_STEP * from * from));
-  if (n < 1) n = 1;
-  for (int i = 0; i < n; i++) {
-    double at = from + (to - from) * (i + 0.5) / n;
-    sum += um_environment_earth_upward(at, below, height, surface, cosine);
-    black += um_core_planck_radiance(at, below);
+  for (size_t i = 0; i < n; i += VIEWS) {
+    size_t some = n - i < VIEWS ? n - i : VIEWS;
+    ratios(from, to, temperature, temperature, cosine + i, some, clear + i);
+    ratios(from, to, temperature, temperature + CLOUD_BELOW, cosine + i, some, cloud + i);
   }
-  return black > 0.0 ? sum / black : 1.0;
-}
-
-double um_environment_earth_clear_ratio(double from, double to, double temperature, double cosine)
-{
-  return ratio(from, to, temperature, temperature, cosine);
-}
-
-double um_environment_earth_cloud_ratio(double from, double to, double temperature, double cosine)
-{
-  return ratio(from, to, temperature, temperature + CLOUD_BELOW, cosine);
 }
 
 void um_environment_earth_window_fill(double out[UM_EARTH_TEMPERATURES])
 {
-  for (int k = 0; k < UM_EARTH_TEMPERATURES; k++)
-    out[k] = ratio(UM_EARTH_NADIR_WINDOW, UM_EARTH_NADIR_WINDOW,
-                   UM_EARTH_COLDEST + UM_EARTH_STEP * k, UM_EARTH_COLDEST + UM_EARTH_STEP * k, 1.0);
+  const double zenith = 1.0;
+  for (int k = 0; k < UM_EARTH_TEMPERATURES; k++) {
+    double temperature = UM_EARTH_COLDEST + UM_EARTH_STEP * k;
+    ratios(UM_EARTH_NADIR_WINDOW, UM_EARTH_NADIR_WINDOW, temperature, temperature, &zenith, 1,
+           &out[k]);
+  }
 }
 
 static double ratio_at(const double *table, double temperature)

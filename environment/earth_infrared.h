@@ -3,6 +3,7 @@
 #define UMBRA_ENVIRONMENT_EARTH_INFRARED_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "environment/ground.h"
 
@@ -20,10 +21,10 @@
  * Outside 7.02-14.28 um the black body alone. */
 double um_environment_earth_upward(double wavelength, double below, double height, double surface,
                                    double cosine);
-/* Mean of that over black-body radiance between two wavelengths [m], for clear ground of a
- * temperature [K], and for cloud tops of it [1]. */
-double um_environment_earth_clear_ratio(double from, double to, double temperature, double cosine);
-double um_environment_earth_cloud_ratio(double from, double to, double temperature, double cosine);
+/* Mean of that over black-body radiance between two wavelengths [m], from <= to, for clear ground
+ * of a temperature [K], and for cloud tops of it [1]. cosine, clear, cloud: [n]. */
+void um_environment_earth_ratios(double from, double to, double temperature, const double *cosine,
+                                 size_t n, double *clear, double *cloud);
 
 /* What a place shows: clear ground, and cloud over `cover` of it. */
 struct um_environment_ground_parts {

@@ -13,28 +13,28 @@
 #include "optics/radiance/lagrange_impl.h"
 #include "optics/radiance/radiance_group.h"
 
-#define GLOWS 1.2e-6 /* the Earth sends nothing in bands that end below [m] */
-
 enum um_status um_optics_earth_ratios_create(struct um_context *context,
                                              struct um_optics_spectra *s)
 {
   size_t n = s->nbin;
+  double cosine[UM_EARTH_SEEN_RINGS];
+  for (int ring = 0; ring < UM_EARTH_SEEN_RINGS; ring++)
+    cosine[ring] = um_environment_earth_seen_cosine(ring);
   UM_TRY(um_core_allocate(context, (size_t)UM_EARTH_TEMPERATURES * UM_EARTH_SEEN_RINGS * n,
                           sizeof *s->clear, &s->clear));
   UM_TRY(um_core_allocate(context, (size_t)UM_EARTH_TEMPERATURES * UM_EARTH_SEEN_RINGS * n,
                           sizeof *s->cloud, &s->cloud));
 #pragma omp parallel for schedule(dynamic) num_threads(um_core_context_threads(context))
   for (size_t b = 0; b < n; b++)
-    for (int i = 0; i < UM_EARTH_TEMPERATURES * UM_EARTH_SEEN_RINGS; i++) {
-      int step = i / UM_EARTH_SEEN_RINGS, ring = i % UM_EARTH_SEEN_RINGS;
-      double temperature = UM_EARTH_COLDEST + UM_EARTH_STEP * step;
-      double w = um_environment_earth_seen_cosine(ring);
-      bool glows = s->to[b] > GLOWS;
-      size_t at = (size_t)i * n + b;
-      s->clear[at] =
-          glows ? um_environment_earth_clear_ratio(s->from[b], s->to[b], temperature, w) : 1.0;
-      s->cloud[at] =
-          glows ? um_environment_earth_cloud_ratio(s->from[b], s->to[b], temperature, w) : 1.0;
+    for (int step = 0; step < UM_EARTH_TEMPERATURES; step++) {
+      double clear[UM_EARTH_SEEN_RINGS], cloud[UM_EARTH_SEEN_RINGS];
+      um_environment_earth_ratios(s->from[b], s->to[b], UM_EARTH_COLDEST + UM_EARTH_STEP * step,
+                                  cosine, UM_EARTH_SEEN_RINGS, clear, cloud);
+      for (int ring = 0; ring < UM_EARTH_SEEN_RINGS; ring++) {
+        size_t at = (size_t)(step * UM_EARTH_SEEN_RINGS + ring) * n + b;
+        s->clear[at] = clear[ring];
+        s->cloud[at] = cloud[ring];
+      }
     }
   return UM_OK;
 }

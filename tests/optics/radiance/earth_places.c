@@ -100,10 +100,11 @@ static struct shown shown_by(const struct um_environment_ground_view *view, cons
   const int n = 16;
   for (int b = 0; b < n; b++) {
     double from = 8e-6 + 4e-6 * b / n, to = from + 4e-6 / n;
-    out.infrared += (1.0 - c) * um_environment_earth_clear_ratio(from, to, p.surface, cosine) *
-                        um_core_planck_band(from, to, p.surface) +
-                    c * um_environment_earth_cloud_ratio(from, to, p.top, cosine) *
-                        um_core_planck_band(from, to, p.top);
+    double clear, cloud, unused;
+    um_environment_earth_ratios(from, to, p.surface, &cosine, 1, &clear, &unused);
+    um_environment_earth_ratios(from, to, p.top, &cosine, 1, &unused, &cloud);
+    out.infrared += (1.0 - c) * clear * um_core_planck_band(from, to, p.surface) +
+                    c * cloud * um_core_planck_band(from, to, p.top);
   }
   return out;
 }
