@@ -40,13 +40,12 @@ size_t um_environment_earth_cap(const struct um_environment *environment,
     double anisotropy = ground.spectral ? um_environment_earth_anisotropy(w) : 1.0;
     for (int j = 0; j < CELLS_AROUND; j++) {
       double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
-      struct um_vec3 across =
-          um_vec3_axpy(um_vec3_scale(view.sunward, cos(phi)), sin(phi), view.side);
+      struct um_vec3 across = um_environment_earth_across(&view, phi);
       struct um_environment_ground at = {.albedo = environment->albedo,
                                          .longwave = environment->outgoing_longwave};
       struct um_vec3 direction = um_vec3_axpy(um_vec3_scale(view.nadir, 1.0 - drop), x, across);
       if (varies) {
-        struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, phi);
+        struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, across);
         at = um_environment_ground_at(&ground, place);
         at.albedo *=
             um_environment_ground_toward(&ground, &at, place, sun, um_vec3_scale(direction, -1.0));

@@ -44,13 +44,15 @@ void um_environment_earth_seen(const struct um_environment *environment,
   out->axes = (struct um_environment_earth_axes){view.nadir, view.sunward, view.side, view.h};
   out->spectral = ground.spectral;
   shares_fill(out->share);
+  struct um_vec3 across[UM_EARTH_SEEN_AROUND];
+  for (int j = 0; j < UM_EARTH_SEEN_AROUND; j++)
+    across[j] = um_environment_earth_across(&view, 2.0 * UM_PI * j / UM_EARTH_SEEN_AROUND);
   for (int i = 0; i < UM_EARTH_SEEN_RINGS; i++) {
     double w = um_environment_earth_seen_cosine(i);
     struct um_environment_earth_ring ring = um_environment_earth_ring(&view, w);
     for (int j = 0; j < UM_EARTH_SEEN_AROUND; j++) {
       int k = i * UM_EARTH_SEEN_AROUND + j;
-      double phi = 2.0 * UM_PI * j / UM_EARTH_SEEN_AROUND;
-      struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, phi);
+      struct um_vec3 place = um_environment_earth_ground(&view, &ring, w, across[j]);
       struct um_vec3 toward =
           um_vec3_unit(um_vec3_axpy(um_vec3_scale(place, -1.0), -view.h, view.nadir));
       out->ground[k] = um_environment_ground_at(&ground, place);

@@ -31,12 +31,12 @@ struct sums {
   double light, albedo, factor, longwave, window;
 };
 
-/* Cells of one ring, from `first` on; of_albedo and of_planet hold the values themselves until
- * means are known. */
+/* Cells of one ring, from `first` on, toward horizontals [AROUND]; of_albedo and of_planet hold the
+ * values themselves until means are known. */
 static void ring_make(const struct um_environment_earth_view *view,
                       const struct um_environment_ground_view *ground,
-                      struct um_environment_gauss w, int first, struct um_environment_varied *out,
-                      double *lit, struct sums *sums)
+                      const struct um_vec3 *horizontal, struct um_environment_gauss w, int first,
+                      struct um_environment_varied *out, double *lit, struct sums *sums)
 {
   struct um_environment_earth_ring ring = um_environment_earth_ring(view, w.x);
   double width = 2.0 * UM_PI / UM_EARTH_VARIED_AROUND;
@@ -46,9 +46,8 @@ static void ring_make(const struct um_environment_earth_view *view,
   for (int j = 0; j < UM_EARTH_VARIED_AROUND; j++) {
     int k = first + j;
     double phi = width * (j + 0.5), folded = fmin(phi, 2.0 * UM_PI - phi);
-    struct um_vec3 across =
-        um_vec3_axpy(um_vec3_scale(view->sunward, cos(phi)), sin(phi), view->side);
-    struct um_vec3 place = um_environment_earth_ground(view, &ring, w.x, phi);
+    struct um_vec3 across = horizontal[j];
+    struct um_vec3 place = um_environment_earth_ground(view, &ring, w.x, across);
     struct um_environment_ground at = um_environment_ground_at(ground, place);
     lit[k] = um_environment_earth_lit_mean(&ring, folded - 0.5 * width, folded + 0.5 * width);
     struct um_vec3 to = um_vec3_axpy(um_vec3_scale(view->nadir, ring.z), ring.x, across);
@@ -75,10 +74,14 @@ void um_environment_varied_make(const struct um_environment_earth_view *view,
                                 struct um_environment_varied *out)
 {
   double lit[UM_EARTH_VARIED_CELLS];
+  struct um_vec3 horizontal[UM_EARTH_VARIED_AROUND];
   struct sums sums = {0};
+  for (int j = 0; j < UM_EARTH_VARIED_AROUND; j++)
+    horizontal[j] =
+        um_environment_earth_across(view, 2.0 * UM_PI * (j + 0.5) / UM_EARTH_VARIED_AROUND);
   for (int i = 0; i < UM_EARTH_VARIED_RINGS; i++)
-    ring_make(view, ground, um_environment_gauss_16[i], i * UM_EARTH_VARIED_AROUND, out, lit,
-              &sums);
+    ring_make(view, ground, horizontal, um_environment_gauss_16[i], i * UM_EARTH_VARIED_AROUND, out,
+              lit, &sums);
   out->albedo = sums.light > 0.0 ? sums.albedo / sums.light : 0.0;
   out->longwave = sums.factor > 0.0 ? sums.longwave / sums.factor : 0.0;
   out->brightness = temperature_of(sums.factor > 0.0 ? sums.window / sums.factor : 0.0);

@@ -53,11 +53,9 @@ double um_environment_earth_lit_mean(const struct um_environment_earth_ring *rin
 /* psi = e - theta is the angle between nadir point and ground, seen from the geocentre. */
 struct um_vec3 um_environment_earth_ground(const struct um_environment_earth_view *view,
                                            const struct um_environment_earth_ring *ring, double w,
-                                           double phi)
+                                           struct um_vec3 across)
 {
   double se = sqrt((1.0 - w) * (1.0 + w));
   double c = w * ring->z + se * ring->x, s = se * ring->z - w * ring->x;
-  struct um_vec3 across =
-      um_vec3_axpy(um_vec3_scale(view->sunward, cos(phi)), sin(phi), view->side);
   return um_vec3_axpy(um_vec3_scale(view->nadir, -c), s, across);
 }

@@ -42,10 +42,15 @@ static inline void um_environment_earth_arc(double p, double q, double *arc, dou
 /* Mean of max(cos SZA, 0) over azimuths first to last, 0 <= first < last <= pi. */
 double um_environment_earth_lit_mean(const struct um_environment_earth_ring *ring, double first,
                                      double last);
-/* The ground that is seen on the ring of w at an azimuth from `sunward`: unit vector from the
- * geocentre. */
+/* The horizontal at an azimuth from `sunward` [rad]: unit vector. */
+static inline struct um_vec3
+um_environment_earth_across(const struct um_environment_earth_view *view, double phi)
+{
+  return um_vec3_axpy(um_vec3_scale(view->sunward, cos(phi)), sin(phi), view->side);
+}
+/* The ground that is seen on the ring of w toward a horizontal: unit vector from the geocentre. */
 struct um_vec3 um_environment_earth_ground(const struct um_environment_earth_view *view,
                                            const struct um_environment_earth_ring *ring, double w,
-                                           double phi);
+                                           struct um_vec3 across);
 
 #endif

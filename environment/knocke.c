@@ -24,7 +24,7 @@ double um_environment_knocke_season(double t_tai)
 
 double um_environment_window_temperature(double longwave)
 {
-  double flux_temperature = pow(fmax(longwave, 0.0) / UM_STEFAN_BOLTZMANN, 0.25);
+  double flux_temperature = sqrt(sqrt(fmax(longwave, 0.0) / UM_STEFAN_BOLTZMANN));
   double root = WINDOW_A * WINDOW_A - 4.0 * WINDOW_B * flux_temperature;
   return (WINDOW_A - sqrt(fmax(root, 0.0))) / (2.0 * WINDOW_B);
 }

@@ -33,6 +33,7 @@ static enum um_status create_sky(struct um_context *context, const char *path,
   UM_CHECK(um_model_scenario_read(context, path, read->text, read->overrides, read->noverride,
                                   read->set, read->nset, &model->document, &model->scenario));
   UM_CHECK(um_orbit_ephemeris_create(context, &model->ephemeris));
+  UM_CHECK(um_core_allocate(context, 1, sizeof *model->daylight, (void **)&model->daylight));
   UM_CHECK(um_model_build_effects(context, model, options));
   UM_CHECK(um_model_build_environment(context, model));
   UM_CHECK(um_model_build_orbit(context, model));
@@ -96,6 +97,7 @@ enum um_status um_model_variant_create(struct um_context *context, const struct 
   model->scenario = origin->scenario;
   model->registry = origin->registry;
   model->ephemeris = origin->ephemeris;
+  model->daylight = origin->daylight;
   model->options = origin->options;
   enum um_status status = variant_make(context, changes, model);
   if (status != UM_OK) um_model_destroy(context, &model);
@@ -114,7 +116,7 @@ static void destroy_owned(struct um_context *context, struct um_model *m)
   if (m->blocked != of->blocked) um_core_free(context, m->blocked);
   if (m->limb != of->limb) um_core_free(context, m->limb);
   if (m->umbra_scatter != of->umbra_scatter) um_core_free(context, m->umbra_scatter);
-  if (m->daylight != of->daylight) um_core_free(context, m->daylight);
+  if (m->daylight != of->daylight) UM_FREE(context, *m->daylight, m->daylight);
   if (m->sky_light != of->sky_light) um_core_free(context, m->sky_light);
   if (m->registry != of->registry) um_effects_registry_destroy(context, &m->registry);
   if (m->document != of->document) um_document_destroy(&m->document);

@@ -150,15 +150,15 @@ static enum um_status build_umbra_scatter(struct um_context *context, struct um_
   return UM_OK;
 }
 
-/* What the sunlit Earth reflects by angle; one for all scenarios, made where it is read. */
+/* What the sunlit Earth reflects by angle, in a slot that a scenario shares with its variants. */
 static enum um_status build_daylight(struct um_context *context, struct um_model *model)
 {
+  enum um_status status = UM_OK;
   const struct um_environment *e = &model->environment;
   if (e->earth == UM_EARTH_UNIFORM || !e->earth_anisotropy_on) return UM_OK;
-  if (model->origin != NULL) model->daylight = model->origin->daylight;
-  if (model->daylight == NULL) UM_TRY(um_environment_daylight_make(context, &model->daylight));
-  model->environment.daylight = model->daylight;
-  return UM_OK;
+  if (*model->daylight == NULL) status = um_environment_daylight_make(context, model->daylight);
+  model->environment.daylight = *model->daylight;
+  return status;
 }
 
 enum um_status um_model_build_environment(struct um_context *context, struct um_model *model)

@@ -125,8 +125,9 @@ struct um_model {
   struct um_environment_limb *limb; /* the Earth's air before the Sun; of the origin likewise */
   struct um_environment_umbra_scatter *umbra_scatter; /* what that air scatters into the shadow;
                                                          NULL: none, of the origin likewise */
-  struct um_environment_daylight *daylight; /* what the Earth reflects by angle; NULL: none, of the
-                                               origin likewise */
+  struct um_environment_daylight **daylight;  /* what the Earth reflects by angle: one for all
+                                                 scenarios, made by the first variant that reads it;
+                                                 of the origin likewise; NULL at it: not made */
   struct um_environment_sky_light *sky_light; /* what the air above the station scatters; of the
                                                  origin likewise; NULL: none (sky_light.h) */
   struct um_vec3 pole;      /* of the Earth, GCRS, at the start: it moves by 0.1 arcsec a day */

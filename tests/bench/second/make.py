@@ -31,7 +31,7 @@ KEYS = ["parts.bus.lumped=false", "parts.array.lumped=false", "thermal.facet_siz
         "time.exposure_samples=5", "bands.vis.bins=30", "bands.lwir.bins=60", "environment.earth=knocke"]
 SIZES = {"parts.bus.box.size_m": [1.0, 0.9, 1.2], "parts.array.plate.size_m": [1.2, 1.6]}
 # what is there beside what is hidden, and need not be told
-THERE = ["?area:*", "?band_emissivity:*|emittance:*|solar_absorptance:*", "?diffuse_level:*|specular_level:*|roughness:*",
+THERE = ["?area:*", "?band_emissivity:*|emittance:*|solar_absorptance:*", "?diffuse_level:*|specular_level:*|roughness:*|anisotropy:*",
          "?earth_map|attitude_offset"]
 ATTITUDE = ("attitude_offset", "spin_period")  # effects that are in the attitude's table
 
