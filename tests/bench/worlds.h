@@ -26,11 +26,12 @@ struct worlds_hidden {
 
 /* What a good verdict is. */
 enum worlds_good {
-  WORLDS_FOUND,      /* the effect */
-  WORLDS_GROUP,      /* the effect, or one of those that look alike */
-  WORLDS_COMPLETE,   /* nothing is missing */
-  WORLDS_NOBODY,     /* no effect is accused, whatever is said of the noise */
-  WORLDS_UNEXPLAINED /* none of the catalogue */
+  WORLDS_FOUND,       /* the effect */
+  WORLDS_GROUP,       /* the effect, or one of those that look alike */
+  WORLDS_COMPLETE,    /* nothing is missing */
+  WORLDS_NOBODY,      /* no effect is accused, whatever is said of the noise */
+  WORLDS_UNEXPLAINED, /* none of the catalogue */
+  WORLDS_NOT_ALL /* the effect, or that not all is known: the model is off by more than is hidden */
 };
 
 struct worlds_world {
@@ -60,9 +61,9 @@ struct worlds_answer {
 };
 
 struct worlds_judgement {
-  bool is_null;           /* nothing is hidden */
+  bool is_null;           /* nothing is hidden that is to be told */
   bool detected;          /* something is said to be missing */
-  bool accused;           /* an effect is named, or a group */
+  bool accused;           /* an effect is named, or a group, that is not there */
   bool abstained;         /* no effect is certain */
   bool false_certain;     /* an effect is certain that is not hidden */
   bool right;             /* or rightly abstaining */

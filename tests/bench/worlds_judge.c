@@ -57,6 +57,21 @@ static bool has_false(const struct worlds_world *world, const char *certain)
   return false;
 }
 
+/* A group none of whose effects is hidden. */
+static bool has_false_group(const struct worlds_world *world, const char *groups)
+{
+  char copy[WORLDS_LONG], *outer = NULL;
+  snprintf(copy, sizeof copy, "%s", groups);
+  for (char *g = strtok_r(copy, " ", &outer); g != NULL; g = strtok_r(NULL, " ", &outer)) {
+    char *inner = NULL;
+    bool there = false;
+    for (char *w = strtok_r(g, "+", &inner); w != NULL; w = strtok_r(NULL, "+", &inner))
+      there = there || worlds_is_hidden(world, w);
+    if (!there) return true;
+  }
+  return false;
+}
+
 static bool is_unexplained(const struct worlds_answer *answer)
 {
   return strcmp(answer->verdict, "unexplained") == 0 && answer->certain[0] == '\0';
@@ -102,6 +117,10 @@ static bool is_right(const struct worlds_world *world, const struct worlds_answe
     return !j->false_certain && all_are_named(world, answer);
   case WORLDS_COMPLETE:
     return strcmp(answer->verdict, "complete") == 0;
+  case WORLDS_NOT_ALL:
+    return !j->false_certain &&
+           (strcmp(answer->verdict, "unexplained") == 0 ||
+            strcmp(answer->verdict, "not_identifiable") == 0 || all_are_named(world, answer));
   case WORLDS_NOBODY:
     return !j->accused && strcmp(answer->verdict, "error") != 0;
   default:
@@ -134,9 +153,11 @@ void worlds_judge(const struct worlds_world *world, const struct worlds_answer *
                   struct worlds_judgement *out)
 {
   bool failed = strcmp(answer->verdict, "error") == 0;
-  *out = (struct worlds_judgement){.is_null = world->nhidden == 0};
+  *out = (struct worlds_judgement){.is_null = true};
+  for (size_t i = 0; i < world->nhidden; i++)
+    out->is_null = out->is_null && world->hidden[i].optional;
   out->detected = !failed && strcmp(answer->verdict, "complete") != 0;
-  out->accused = answer->certain[0] != '\0' || answer->groups[0] != '\0';
+  out->accused = has_false(world, answer->certain) || has_false_group(world, answer->groups);
   out->abstained = answer->certain[0] == '\0';
   out->false_certain = has_false(world, answer->certain);
   out->isolation = worlds_isolation(world, answer);

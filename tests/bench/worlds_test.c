@@ -122,6 +122,32 @@ static void test_unexplained(void **state)
   assert_close(j.isolation, 0.0, 0.0);
 }
 
+/* The model is off in more than is hidden: what is there may be named, and need not be. */
+static void test_open(void **state)
+{
+  (void)state;
+  struct worlds_world world = {
+      .good = WORLDS_NOT_ALL,
+      .nhidden = 2,
+      .hidden = {{.names = "time_tag"}, {.names = "area:*", .optional = true}}};
+  struct worlds_judgement j = judge(&world, answer("unexplained", "", "", ""));
+  assert_true(j.right && j.abstained && !j.is_null);
+  j = judge(&world, answer("not_identifiable", "area:bus", "", ""));
+  assert_true(j.right && !j.false_certain && !j.accused);
+  assert_close(j.isolation, 0.0, 0.0);
+  /* that this is all is wrong, as is what is not there */
+  assert_false(judge(&world, answer("found", "area:bus", "", "")).right);
+  j = judge(&world, answer("not_identifiable", "area:bus albedo_level", "", ""));
+  assert_true(!j.right && j.false_certain && j.accused);
+  assert_true(judge(&world, answer("found", "area:bus time_tag", "", "")).right);
+  /* nothing else is hidden */
+  world.hidden[0] = world.hidden[1];
+  world.nhidden = 1;
+  j = judge(&world, answer("found", "area:bus", "", ""));
+  assert_true(j.right && j.is_null && !j.accused && isnan(j.isolation));
+  assert_true(judge(&world, answer("not_identifiable", "", "time_tag+x", "")).accused);
+}
+
 /* Of two effects one is found; the other need not be. A stated probability takes the group's place.
  */
 static void test_two_and_stated(void **state)
@@ -217,8 +243,8 @@ int main(void)
       cmocka_unit_test(test_names),          cmocka_unit_test(test_named),
       cmocka_unit_test(test_one_of_a_group), cmocka_unit_test(test_false_beside_true),
       cmocka_unit_test(test_missed),         cmocka_unit_test(test_nothing),
-      cmocka_unit_test(test_unexplained),    cmocka_unit_test(test_two_and_stated),
-      cmocka_unit_test(test_discrepancy),    cmocka_unit_test(test_open_set),
-      cmocka_unit_test(test_reliability)};
+      cmocka_unit_test(test_open),           cmocka_unit_test(test_unexplained),
+      cmocka_unit_test(test_two_and_stated), cmocka_unit_test(test_discrepancy),
+      cmocka_unit_test(test_open_set),       cmocka_unit_test(test_reliability)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

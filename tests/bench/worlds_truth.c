@@ -8,7 +8,7 @@
 static const char *const columns[] = {"world", "scenario", "measurement", "without",
                                       "set",   "hidden",   "also",        "good"};
 #define NCOLUMN (sizeof columns / sizeof columns[0])
-static const char *const goods[] = {"found", "group", "complete", "nobody", "unexplained"};
+static const char *const goods[] = {"found", "group", "complete", "nobody", "unexplained", "open"};
 
 /* "?effect:target|other,name=value,name=value" */
 static bool parse_hidden(char *text, struct worlds_hidden *out)

@@ -167,7 +167,7 @@ def main():
             make(name, where, what, work)
             hidden = THERE if what is None else [what] + THERE
             table.writerow([name, f"{name}/scenario.yaml", "measurement.csv", "", "", " + ".join(hidden), "",
-                            "nobody" if what is None else "found"])
+                            "open"])
             print(f"{i + 1} of {len(chosen)}: {name}", file=sys.stderr)
     shutil.rmtree(work)
 
