@@ -218,13 +218,12 @@ static void tell(const char *method, const struct tally *t)
 static void tell_world(const struct worlds_world *world, const struct worlds_answer *a,
                        const struct worlds_judgement *j)
 {
-  static const char *const good[] = {"found", "group", "complete", "nobody", "unexplained"};
   char hidden[WORLDS_HIDDEN * WORLDS_TEXT] = "";
   for (size_t i = 0; i < world->nhidden; i++)
     worlds_append(hidden, sizeof hidden, ", ", world->hidden[i].names);
   for (char *bar = hidden; (bar = strchr(bar, '|')) != NULL;) *bar = '/'; /* a table has its own */
   printf("| %s | %s | %s | %s%s | %s | %.60s | %.2f | %zu/%zu | %.0f |\n", world->name,
-         world->nhidden > 0 ? hidden : "nothing", good[world->good], a->verdict,
+         world->nhidden > 0 ? hidden : "nothing", worlds_good_name[world->good], a->verdict,
          j->right ? "" : " **wrong**", a->certain, a->groups, j->isolation, j->nwithin, j->nvalue,
          a->seconds);
 }

@@ -33,6 +33,8 @@ enum worlds_good {
   WORLDS_UNEXPLAINED, /* none of the catalogue */
   WORLDS_NOT_ALL /* the effect, or that not all is known: the model is off by more than is hidden */
 };
+#define WORLDS_GOODS (WORLDS_NOT_ALL + 1)
+extern const char *const worlds_good_name[WORLDS_GOODS]; /* as worlds.csv has them */
 
 struct worlds_world {
   char name[32], scenario[WORLDS_TEXT], measurement[WORLDS_TEXT]; /* below bench/worlds */

@@ -8,7 +8,8 @@
 static const char *const columns[] = {"world", "scenario", "measurement", "without",
                                       "set",   "hidden",   "also",        "good"};
 #define NCOLUMN (sizeof columns / sizeof columns[0])
-static const char *const goods[] = {"found", "group", "complete", "nobody", "unexplained", "open"};
+const char *const worlds_good_name[WORLDS_GOODS] = {"found",  "group",       "complete",
+                                                    "nobody", "unexplained", "open"};
 
 /* "?effect:target|other,name=value,name=value" */
 static bool parse_hidden(char *text, struct worlds_hidden *out)
@@ -62,10 +63,10 @@ static bool parse_row(const struct um_core_csv *csv, size_t i, const size_t *col
     strcpy(text[c].to, from);
   }
   const char *good = um_core_csv_text(csv, i, column[NCOLUMN - 1]);
-  size_t g = 0, ngood = sizeof goods / sizeof goods[0];
-  while (g < ngood && strcmp(goods[g], good) != 0) g++;
+  size_t g = 0;
+  while (g < WORLDS_GOODS && strcmp(worlds_good_name[g], good) != 0) g++;
   world->good = (enum worlds_good)g;
-  return g < ngood && parse_all_hidden(um_core_csv_text(csv, i, column[5]), world);
+  return g < WORLDS_GOODS && parse_all_hidden(um_core_csv_text(csv, i, column[5]), world);
 }
 
 enum um_status worlds_read(struct um_context *context, const char *path, struct worlds_world **out,
