@@ -111,21 +111,22 @@ double um_environment_earth_upward(double wavelength, double below, double heigh
 static void ratios(double from, double to, double below, double surface, const double *cosine,
                    size_t n, double *out)
 {
+  double first = fmax(from, SHORTEST), last = fmin(to, LONGEST);
+  for (size_t i = 0; i < n; i++) out[i] = 1.0;
+  if (last < first) return;
   struct column c = column_of(below, (surface - below) / LAPSE, surface);
   struct um_environment_infrared_amounts amount[VIEWS];
-  double first = fmax(from, SHORTEST), last = fmin(to, LONGEST), radiance[VIEWS];
-  double width = to > from ? last - first : 1.0;
-  double black =
+  double radiance[VIEWS], width = to > from ? last - first : 1.0;
+  double all =
       to > from ? um_core_planck_band(from, to, below) : um_core_planck_radiance(from, below);
-  for (size_t i = 0; i < n; i++) out[i] = 1.0;
-  if (last < first || !(black > 0.0)) return;
+  if (!(all > 0.0)) return;
   int steps = (int)fmax(ceil((last - first) / (0.5 * UM_INFRARED_STEP * first * first)), 1.0);
   amounts_of(&c, cosine, n, amount);
   for (int k = 0; k < steps; k++) {
     double at = first + (last - first) * (k + 0.5) / steps;
+    double black = um_core_planck_radiance(at, below);
     upward(&c, at, amount, n, radiance);
-    for (size_t i = 0; i < n; i++)
-      out[i] += width / steps * (radiance[i] - um_core_planck_radiance(at, below)) / black;
+    for (size_t i = 0; i < n; i++) out[i] += width / steps * (radiance[i] - black) / all;
   }
 }
 

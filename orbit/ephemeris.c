@@ -19,6 +19,7 @@
 
 #define STEP  3600.0 /* [s] */
 #define SLOTS 4096   /* 170 days, before one takes the place of another */
+#define REACH 1e12   /* nodes are within; beyond, and of no time at all, the series answer [s] */
 
 struct node {
   int64_t number; /* of STEP since t_tai = 0 */
@@ -90,7 +91,7 @@ void um_orbit_ephemeris_cip(struct um_orbit_ephemeris *ephemeris, double t_tai,
 {
   struct node node[4];
   double weight[4];
-  if (ephemeris == NULL || !isfinite(t_tai)) {
+  if (ephemeris == NULL || !(fabs(t_tai) < REACH)) {
     cip_series(t_tai, out);
     return;
   }
@@ -108,7 +109,7 @@ void um_orbit_ephemeris_earth(struct um_orbit_ephemeris *ephemeris, double t_tai
 {
   struct node node[4];
   double weight[4];
-  if (ephemeris == NULL || !isfinite(t_tai)) {
+  if (ephemeris == NULL || !(fabs(t_tai) < REACH)) {
     earth_series(t_tai, out);
     return;
   }
