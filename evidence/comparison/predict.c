@@ -9,8 +9,8 @@
 #include "base/core/sort.h"
 #include "evidence/comparison/predict_source_impl.h"
 #include "evidence/measurements/time_text.h"
-#include "model/geometry/points.h"
 #include "model/geometry/precompute.h"
+#include "model/scenario/station.h"
 
 #define SAME_TIME 0.5e-6 /* times nearer than this are one [s] */
 
@@ -19,12 +19,12 @@
 struct wanted {
   double t, exposure; /* [s]; NaN: not said */
   size_t row, set;
-  struct um_model_point point; /* of a scenario of points, else 0 */
+  struct um_model_point point; /* with an orbit only its station */
 };
 
 static int compare_numbers(double x, double y) { return (x > y) - (x < y); }
 
-/* Of the places alone. */
+/* Of stations and places alone. */
 static int compare_points(const struct um_model_point *x, const struct um_model_point *y)
 {
   if (x->station != y->station) return x->station < y->station ? -1 : 1;
@@ -43,21 +43,32 @@ static int compare_wanted(const void *a, const void *b)
   return by != 0 ? by : x->row < y->row ? -1 : x->row > y->row;
 }
 
+/* Who looked: what the row says, or its set. */
+static enum um_status station_of(struct um_context *context, const struct um_model *model,
+                                 const struct um_compare_measurements *m, size_t row, size_t *out)
+{
+  const struct um_compare_measurement *r = &m->row[row];
+  const char *of_set = m->file[r->set].station, *name = of_set != NULL ? of_set : "";
+  if (r->station != SIZE_MAX) name = m->station[r->station];
+  enum um_status status = um_model_station_find(context, model->scenario->observer, name, out);
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s:%d: column 'station'", um_compare_row_path(m, row),
+                           r->line);
+  return status;
+}
+
 static enum um_status point_of(struct um_context *context, const struct um_model *model,
                                const struct um_compare_measurements *m, size_t row,
                                struct um_model_point *out)
 {
   const struct um_compare_measurement *r = &m->row[row];
-  *out = (struct um_model_point){.t = r->t_tai,
-                                 .height = r->satellite_height,
-                                 .azimuth = r->azimuth,
-                                 .elevation = r->elevation};
-  const char *name = r->station == SIZE_MAX ? "" : m->station[r->station];
-  enum um_status status = um_model_station_find(context, model, name, &out->station);
-  if (status != UM_OK)
-    um_core_message_prefix(context, "%s:%d: column 'station'", um_compare_row_path(m, row),
-                           r->line);
-  return status;
+  *out = (struct um_model_point){.t = r->t_tai};
+  if (model->points) {
+    out->height = r->satellite_height;
+    out->azimuth = r->azimuth;
+    out->elevation = r->elevation;
+  }
+  return station_of(context, model, m, row, &out->station);
 }
 
 static enum um_status sample_of(struct um_context *context, const struct um_model *model,
@@ -66,7 +77,8 @@ static enum um_status sample_of(struct um_context *context, const struct um_mode
   struct um_environment_sample sample;
   struct um_orbit_look look;
   if (model->points) return um_model_sample_point(context, model, &wanted->point, &sample, &look);
-  if (model->has_observer) return um_model_sample_seen(context, model, wanted->t, &sample, &look);
+  if (model->has_observer)
+    return um_model_sample_from(context, model, wanted->point.station, wanted->t, &sample, &look);
   return um_model_sample_at(context, model, wanted->t, &sample);
 }
 
@@ -126,6 +138,7 @@ static enum um_status add_observation(struct um_context *context, const struct u
   plan->time[k] = wanted[0].t;
   plan->exposure[k] = exposure;
   plan->set[k] = m->file[wanted[0].set].name;
+  plan->station[k] = wanted[0].point.station;
   if (model->points) plan->point[k] = wanted[0].point;
   for (size_t i = 0; i < n; i++) plan->observation[wanted[i].row] = k;
   plan->ntime++;
@@ -138,6 +151,7 @@ static enum um_status merge(struct um_context *context, const struct um_model *m
   UM_TRY(um_core_allocate(context, n, sizeof *plan->time, &plan->time));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->exposure, &plan->exposure));
   UM_TRY(um_core_allocate(context, n, sizeof *plan->set, (void *)&plan->set));
+  UM_TRY(um_core_allocate(context, n, sizeof *plan->station, &plan->station));
   if (model->points) UM_TRY(um_core_allocate(context, n, sizeof *plan->point, &plan->point));
   UM_TRY(um_core_sort(context, wanted, n, sizeof *wanted, compare_wanted));
   for (size_t i = 0, end; i < n; i = end) {
@@ -163,7 +177,7 @@ static enum um_status plan_times(struct um_context *context, const struct um_mod
     if (m->row[i].flag != 0) continue;
     wanted[n] = (struct wanted){
         .t = m->row[i].t_tai, .exposure = m->row[i].exposure, .row = i, .set = m->row[i].set};
-    if (model->points) UM_CHECK(point_of(context, model, m, i, &wanted[n].point));
+    UM_CHECK(point_of(context, model, m, i, &wanted[n].point));
     n++;
   }
   if (n == 0)
@@ -237,8 +251,8 @@ done:
 void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan **plan)
 {
   if (plan == NULL || *plan == NULL) return;
-  UM_FREE(context, (*plan)->time, (*plan)->exposure, (*plan)->point, (*plan)->observation,
-          (*plan)->source, (void *)(*plan)->set, *plan);
+  UM_FREE(context, (*plan)->time, (*plan)->exposure, (*plan)->point, (*plan)->station,
+          (*plan)->observation, (*plan)->source, (void *)(*plan)->set, *plan);
   *plan = NULL;
 }
 
@@ -247,8 +261,19 @@ struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *
   return (struct um_model_instants){.time = plan->time,
                                     .exposure = plan->exposure,
                                     .set = plan->set,
+                                    .station = plan->station,
                                     .point = plan->point,
                                     .count = plan->ntime};
+}
+
+enum um_status um_compare_plan_sample(struct um_context *context, const struct um_model *model,
+                                      const struct um_compare_plan *plan, size_t k,
+                                      struct um_environment_sample *sample,
+                                      struct um_orbit_look *look)
+{
+  if (plan->point != NULL)
+    return um_model_sample_point(context, model, &plan->point[k], sample, look);
+  return um_model_sample_from(context, model, plan->station[k], plan->time[k], sample, look);
 }
 
 enum um_status um_compare_plan_trace(struct um_context *context, const struct um_model *model,

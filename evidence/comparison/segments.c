@@ -30,16 +30,17 @@ static enum um_compare_segment light_of(const struct um_model_tables *tables, si
 }
 
 /* The difference is one-sided where the orbit ends. */
-static enum um_status motion_of(struct um_context *context, const struct um_model *model, double t,
-                                enum um_compare_segment *out)
+static enum um_status motion_of(struct um_context *context, const struct um_model *model,
+                                size_t station, double t, enum um_compare_segment *out)
 {
   double first, last;
   struct um_orbit_look before, after;
   um_orbit_trajectory_span(model->trajectory, &first, &last);
   double from = t - HALF_STEP - LIGHT < first ? t : t - HALF_STEP;
   double to = t + HALF_STEP > last ? t : t + HALF_STEP;
-  UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, from, &before));
-  UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, to, &after));
+  const struct um_orbit_observer *observer = &model->station[station];
+  UM_TRY(um_orbit_observer_look(context, observer, model->trajectory, from, &before));
+  UM_TRY(um_orbit_observer_look(context, observer, model->trajectory, to, &after));
   *out = after.elevation > before.elevation ? UM_SEGMENT_RISING : UM_SEGMENT_SETTING;
   return UM_OK;
 }
@@ -54,7 +55,9 @@ enum um_status um_compare_segments_find(struct um_context *context, const struct
   for (size_t k = 0; k < tables->nobs; k++) {
     light[k] = light_of(tables, k);
     motion[k] = UM_SEGMENT_COUNT;
-    if (station) UM_TRY(motion_of(context, model, tables->t_obs[k], &motion[k]));
+    if (station)
+      UM_TRY(motion_of(context, model, um_model_tables_station(tables, k), tables->t_obs[k],
+                       &motion[k]));
   }
   return UM_OK;
 }

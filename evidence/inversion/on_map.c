@@ -84,9 +84,7 @@ static enum um_status look_at(struct um_context *context, const struct um_model 
                               struct um_environment_sample *sample, double *elevation)
 {
   struct um_orbit_look look;
-  enum um_status status =
-      plan->point != NULL ? um_model_sample_point(context, model, &plan->point[k], sample, &look)
-                          : um_model_sample_seen(context, model, plan->time[k], sample, &look);
+  enum um_status status = um_compare_plan_sample(context, model, plan, k, sample, &look);
   *elevation = look.elevation;
   return status;
 }

@@ -210,9 +210,7 @@ static enum um_status airmass_of(struct um_context *context, const struct um_mod
   struct um_orbit_look look;
   const struct um_compare_measurements *m = plan->measurements;
   size_t k = plan->observation[row];
-  UM_TRY(plan->point != NULL
-             ? um_model_sample_point(context, model, &plan->point[k], &sample, &look)
-             : um_model_sample_seen(context, model, plan->time[k], &sample, &look));
+  UM_TRY(um_compare_plan_sample(context, model, plan, k, &sample, &look));
   *out = um_environment_airmass(look.elevation);
   if (!isnan(*out)) return UM_OK;
   return um_core_fail(context, UM_ERR_INPUT,

@@ -6,6 +6,7 @@
 #include "evidence/measurements/join.h"
 #include "evidence/measurements/measurements.h"
 #include "model/scenario/scenario.h"
+#include "model/scenario/station.h"
 
 static enum um_status check(struct um_context *context, const struct um_scenario_set *set, size_t i)
 {
@@ -22,6 +23,19 @@ static enum um_status check(struct um_context *context, const struct um_scenario
     return um_document_mark_fail(context, um_document_mark_key(at, "to_utc"),
                                  "before from_utc; accepted: a time behind it");
   return UM_OK;
+}
+
+static enum um_status check_station(struct um_context *context, const struct um_scenario *scenario,
+                                    const struct um_scenario_set *set)
+{
+  size_t station;
+  if (set->station == NULL) return UM_OK;
+  enum um_status status =
+      um_model_station_find(context, scenario->observer, set->station, &station);
+  const struct um_mark *at = um_document_mark_key(&set->at, "station");
+  if (status != UM_OK)
+    um_core_message_prefix(context, "%s:%d: %s.station", at->file, at->line, set->at.path);
+  return status;
 }
 
 /* Leave out the rows outside the window. */
@@ -49,7 +63,7 @@ enum um_status um_compare_measurements_listed(struct um_context *context,
   const struct um_scenario_measurements *from = scenario->measurements;
   size_t n = from != NULL ? from->sets.count : 0;
   const struct um_scenario_set *set = n > 0 ? from->sets.items : NULL;
-  struct um_compare_measurements **part = NULL;
+  struct um_compare_measurements **part = NULL, *joined = NULL;
   const char **name = NULL;
   *out = NULL;
   if (n == 0)
@@ -61,12 +75,19 @@ enum um_status um_compare_measurements_listed(struct um_context *context,
   UM_CHECK(um_core_allocate(context, n, sizeof *name, (void *)&name));
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(check(context, set, i));
+    UM_CHECK(check_station(context, scenario, &set[i]));
     name[i] = set[i].name;
     UM_CHECK(um_compare_measurements_read(context, set[i].file, &part[i]));
     UM_CHECK(cut(context, &set[i], part[i]));
   }
-  UM_CHECK(um_compare_measurements_join(context, part, name, n, out));
+  UM_CHECK(um_compare_measurements_join(context, part, name, n, &joined));
+  for (size_t i = 0; i < n; i++)
+    if (set[i].station != NULL)
+      UM_CHECK(um_core_strdup(context, set[i].station, &joined->file[i].station));
+  *out = joined;
+  joined = NULL;
 done:
+  um_compare_measurements_destroy(context, &joined);
   for (size_t i = 0; part != NULL && i < n; i++) um_compare_measurements_destroy(context, &part[i]);
   UM_FREE(context, (void *)part, (void *)name);
   return status;

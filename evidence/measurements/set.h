@@ -30,6 +30,7 @@ struct um_compare_measurement {
 struct um_compare_file {
   char *path;
   char *name;              /* of the file without folder and ending; no two are the same */
+  char *station;           /* that its rows are of where they name none; NULL: the observer */
   const char *time_column; /* what the file calls its times; static */
 };
 

@@ -153,10 +153,7 @@ static enum um_status build_observer(struct um_context *context, struct um_model
   to->light_time = model->scenario->time->light_time;
   to->orientation = model->orientation;
   if (from->station != NULL) {
-    to->kind = UM_OBSERVER_STATION;
-    to->latitude = from->station->latitude_deg * UM_DEG;
-    to->longitude = from->station->longitude_deg * UM_DEG;
-    to->height = from->station->height_m;
+    um_model_station_place(from->station, to);
     return UM_OK;
   }
   if (from->direction != NULL) {
@@ -206,6 +203,7 @@ enum um_status um_model_build_orbit(struct um_context *context, struct um_model 
   um_orbit_trajectory_shift(model->trajectory, shift);
   UM_TRY(um_model_build_attitude(context, model));
   UM_TRY(build_observer(context, model));
+  UM_TRY(um_model_build_stations(context, model));
   UM_TRY(um_model_build_points(context, model));
   if (model->sun_frozen)
     model->frozen_sun_position =

@@ -3,9 +3,6 @@
  * below, is all that such a scenario has. */
 #include "model/build/steps_impl.h"
 
-#include <string.h>
-
-#include "base/core/constants.h"
 #include "model/scenario/fail_group.h"
 
 #define ACCEPTED_LAWS                                                                              \
@@ -27,26 +24,6 @@ static enum um_status check_attitude(struct um_context *context, const struct um
   return UM_OK;
 }
 
-static enum um_status add_station(struct um_context *context, struct um_model *model,
-                                  const struct um_scenario_station *from)
-{
-  const char *own = model->scenario->observer->station->name;
-  const struct um_scenario_station *other = model->scenario->orbit->points->stations.items;
-  if (from->name == NULL)
-    return um_model_fail(context, &from->at, NULL, "has no name; accepted: the one that rows use");
-  bool taken = own != NULL && strcmp(from->name, own) == 0;
-  for (; other != from; other++) taken = taken || strcmp(from->name, other->name) == 0;
-  if (taken)
-    return um_model_fail(context, &from->at, "name", "'%s' is taken; accepted: names used once",
-                         from->name);
-  struct um_orbit_observer *to = &model->station[model->nstation++];
-  *to = model->observer;
-  to->latitude = from->latitude_deg * UM_DEG;
-  to->longitude = from->longitude_deg * UM_DEG;
-  to->height = from->height_m;
-  return UM_OK;
-}
-
 enum um_status um_model_build_points(struct um_context *context, struct um_model *model)
 {
   const struct um_scenario *scenario = model->scenario;
@@ -62,12 +39,6 @@ enum um_status um_model_build_points(struct um_context *context, struct um_model
                          "periodic wants an orbit, orbit.points has none; accepted: isothermal "
                          "(temperatures stay at start_temperature_K)");
   UM_TRY(check_attitude(context, &scenario->attitude));
-  const struct um_scenario_station *station = points->stations.items;
-  UM_TRY(um_core_allocate(context, points->stations.count + 1, sizeof *model->station,
-                          &model->station));
-  model->station[model->nstation++] = model->observer;
-  for (size_t i = 0; i < points->stations.count; i++)
-    UM_TRY(add_station(context, model, &station[i]));
   um_core_log(context, UM_LOG_INFO,
               "orbit: observations stand alone; heat is not followed, temperatures stay at "
               "thermal.start_temperature_K, %g K",

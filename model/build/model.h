@@ -116,9 +116,10 @@ struct um_model {
   bool points_at_observer; /* a law looks at the observer, outside observations too */
   bool has_observer;
   struct um_orbit_observer observer;
-  bool points; /* orbit.points: observations stand alone, the trajectory has no state */
-  struct um_orbit_observer *station; /* [nstation] of points: the observer's, then the others */
+  struct um_orbit_observer *station; /* [nstation] the observer, then the others that measurements
+                                        may name; NULL without an observer */
   size_t nstation;
+  bool points; /* orbit.points: observations stand alone, the trajectory has no state */
   struct um_environment_map *earth_map;       /* of environment.earth.file; NULL: none. A variant
                                                  borrows that of its origin */
   struct um_environment_sky_table *sky_table; /* of observer.air.file, likewise */

@@ -62,7 +62,12 @@ enum um_status um_model_build_creases(struct um_context *context, struct um_mode
  * UM_ERR_MEMORY, UM_ERR_CANCELLED. */
 enum um_status um_model_warn_coincident(struct um_context *context, const struct um_model *model);
 
-/* stations of orbit.points, and what such a scenario cannot have. */
+/* Where a station of the scenario stands, into its observer. */
+void um_model_station_place(const struct um_scenario_station *from, struct um_orbit_observer *to);
+/* model->station: the observer, and behind it the others that measurements may name. UM_ERR_INPUT:
+ * one without a name, with a name that is taken, or beside an observer that is no station. */
+enum um_status um_model_build_stations(struct um_context *context, struct um_model *model);
+/* What a scenario with orbit.points cannot have. */
 enum um_status um_model_build_points(struct um_context *context, struct um_model *model);
 
 /* What of each surface's sky the satellite itself covers, into the heat network, where

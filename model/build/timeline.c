@@ -128,15 +128,23 @@ static enum um_status sample_of_look(struct um_context *context, const struct um
   return attitude_of(context, model, out);
 }
 
-enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
-                                    double t_observer, struct um_environment_sample *out,
-                                    struct um_orbit_look *look)
+enum um_status um_model_sample_from(struct um_context *context, const struct um_model *model,
+                                    size_t station, double t_observer,
+                                    struct um_environment_sample *out, struct um_orbit_look *look)
 {
   if (!model->has_observer)
     return um_core_fail(context, UM_ERR_INPUT, "%s: the scenario has no observer",
                         model->scenario->at.file);
-  UM_TRY(um_orbit_observer_look(context, &model->observer, model->trajectory, t_observer, look));
+  UM_TRY(um_orbit_observer_look(context, &model->station[station], model->trajectory, t_observer,
+                                look));
   return sample_of_look(context, model, look, out);
+}
+
+enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
+                                    double t_observer, struct um_environment_sample *out,
+                                    struct um_orbit_look *look)
+{
+  return um_model_sample_from(context, model, 0, t_observer, out, look);
 }
 
 enum um_status um_model_sample_point(struct um_context *context, const struct um_model *model,

@@ -20,6 +20,10 @@ enum um_status um_model_sample_turned(struct um_context *context, const struct u
 enum um_status um_model_sample_seen(struct um_context *context, const struct um_model *model,
                                     double t_observer, struct um_environment_sample *out,
                                     struct um_orbit_look *look);
+/* The same as seen from one of the model's stations. */
+enum um_status um_model_sample_from(struct um_context *context, const struct um_model *model,
+                                    size_t station, double t_observer,
+                                    struct um_environment_sample *out, struct um_orbit_look *look);
 /* Eclipse events between two satellite times; the caller frees *out. */
 enum um_status um_model_events(struct um_context *context, const struct um_model *model,
                                double from, double to, struct um_environment_event **out,

@@ -129,13 +129,20 @@ static bool sets_equal(const struct um_model_tables *a, const struct um_model_ta
   return true;
 }
 
+static bool stations_equal(const struct um_model_tables *a, const struct um_model_tables *b)
+{
+  for (size_t k = 0; k < a->nobs; k++)
+    if (um_model_tables_station(a, k) != um_model_tables_station(b, k)) return false;
+  return true;
+}
+
 /* The same observations. */
 static bool observations_equal(const struct um_model_tables *a, const struct um_model_tables *b)
 {
   size_t n = a->nobs * a->nsub;
   return a->nobs == b->nobs && a->nsub == b->nsub && a->t_first == b->t_first &&
          a->t_start == b->t_start && same(a->t_obs, b->t_obs, a->nobs, sizeof *a->t_obs) &&
-         sets_equal(a, b) && same(a->look, b->look, n, sizeof *a->look) &&
+         sets_equal(a, b) && stations_equal(a, b) && same(a->look, b->look, n, sizeof *a->look) &&
          same(a->sample, b->sample, n, sizeof *a->sample) &&
          same(a->hidden, b->hidden, a->nobs, sizeof *a->hidden);
 }

@@ -4,38 +4,12 @@
 #include "model/geometry/posed.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "base/core/suggestions.h"
 #include "model/build/messages_group.h"
 #include "model/geometry/body_tables.h"
 #include "model/geometry/line_of_sight_impl.h"
 #include "model/geometry/precompute.h"
 #include "model/geometry/precompute_group.h"
-
-enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
-                                     const char *name, size_t *out)
-{
-  const char *own = model->scenario->observer->station->name;
-  const struct um_scenario_points *points = model->scenario->orbit->points;
-  const struct um_scenario_station *other = points->stations.items;
-  char names[320] = "", hint[UM_CORE_WORDS_HINT];
-  struct um_core_words_guess guess = {.written = name};
-  *out = 0;
-  if (name[0] == '\0' || (own != NULL && strcmp(name, own) == 0)) return UM_OK;
-  if (own != NULL) um_core_words_append(names, sizeof names, own);
-  if (own != NULL) um_core_words_consider(&guess, own);
-  for (size_t i = 0; i < points->stations.count; i++) {
-    *out = i + 1;
-    if (strcmp(name, other[i].name) == 0) return UM_OK;
-    um_core_words_append(names, sizeof names, other[i].name);
-    um_core_words_consider(&guess, other[i].name);
-  }
-  return um_core_fail(context, UM_ERR_INPUT,
-                      "the scenario has no station '%.60s'%s; accepted: %s%sempty for the "
-                      "observer's (observer.station, orbit.points.stations)",
-                      name, um_core_words_hint(&guess, hint), names, names[0] == '\0' ? "" : ", ");
-}
 
 static enum um_status check_points(struct um_context *context, const struct um_model *model,
                                    const struct um_model_point *points, size_t n)
@@ -64,11 +38,13 @@ static enum um_status trace_points(struct um_context *context, const struct um_m
   UM_TRY(um_core_allocate(context, n, sizeof(double), &tables->sunlit));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->look, &tables->look));
   UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->station, &tables->station));
   for (size_t k = 0; k < n; k++) {
     struct um_model_point point = points[k];
     point.t = um_model_true_time(model, um_model_instant_set(instants, k), point.t);
     UM_TRY(um_model_sample_point(context, model, &point, &tables->sample[k], &tables->look[k]));
     tables->t_obs[k] = points[k].t;
+    tables->station[k] = points[k].station;
     tables->sunlit[k] = tables->sample[k].sunlit_fraction;
   }
   tables->t_first = tables->t_start = tables->t_periodic_end = tables->sample[0].t_tai;

@@ -5,10 +5,6 @@
 #include "model/build/timeline.h"
 #include "model/geometry/tables.h"
 
-/* Index of a station of points by name; 0, the observer's own, for "". UM_ERR_INPUT names those
- * there are. */
-enum um_status um_model_station_find(struct um_context *context, const struct um_model *model,
-                                     const char *name, size_t *out);
 /* Of a scenario with orbit.points, at points [npoint] in order of time (times may be equal). The
  * satellite's motion is not known, so an exposure is its middle. sampling: as of
  * um_model_precompute_at. UM_ERR_INPUT: no points, out of

@@ -19,6 +19,8 @@
 #include "model/geometry/precompute_loads_impl.h"
 #include "optics/paths/photon_maps.h"
 
+#define LIGHT_TIMES 0.05 /* by which those of two stations may differ [s] */
+
 const char *um_model_instant_set(const struct um_model_instants *instants, size_t k)
 {
   return instants->set != NULL ? instants->set[k] : NULL;
@@ -31,6 +33,22 @@ enum um_status um_model_tables_keep_sets(struct um_context *context,
   if (instants->set == NULL) return UM_OK;
   UM_TRY(um_core_allocate(context, instants->count, sizeof *tables->set, (void *)&tables->set));
   for (size_t k = 0; k < instants->count; k++) tables->set[k] = instants->set[k];
+  return UM_OK;
+}
+
+size_t um_model_tables_station(const struct um_model_tables *tables, size_t k)
+{
+  return tables->station != NULL ? tables->station[k] : 0;
+}
+
+static enum um_status keep_stations(struct um_context *context,
+                                    const struct um_model_instants *instants,
+                                    struct um_model_tables *tables)
+{
+  size_t n = instants->count;
+  if (instants->station == NULL) return UM_OK;
+  UM_TRY(um_core_allocate(context, n, sizeof *tables->station, &tables->station));
+  memcpy(tables->station, instants->station, n * sizeof *tables->station);
   return UM_OK;
 }
 
@@ -77,6 +95,17 @@ static double instant_of(size_t i, size_t n)
   return n < 2 ? u : u * count / sqrt(count * count - 1.0);
 }
 
+/* Light of one instant at two stations left the satellite at two; heat is followed in order, so
+ * that the second then has the temperatures of the first. */
+static void straighten(struct um_model_tables *tables, size_t k)
+{
+  size_t i = k * tables->nsub;
+  double back = tables->sample[i - 1].t_tai - tables->sample[i].t_tai;
+  if (um_model_tables_station(tables, k) != um_model_tables_station(tables, k - 1) && back > 0.0 &&
+      back < LIGHT_TIMES)
+    tables->sample[i].t_tai += back;
+}
+
 static enum um_status trace_observations(struct um_context *context, const struct um_model *model,
                                          const struct um_model_instants *instants,
                                          struct um_model_tables *tables)
@@ -95,6 +124,7 @@ static enum um_status trace_observations(struct um_context *context, const struc
   UM_TRY(um_core_allocate(context, n, sizeof *tables->sample, &tables->sample));
   memcpy(tables->t_obs, instants->time, tables->nobs * sizeof(double));
   UM_TRY(um_model_tables_keep_sets(context, instants, tables));
+  UM_TRY(keep_stations(context, instants, tables));
   um_core_progress_begin(context, "following the orbit", n);
   for (size_t i = 0; i < n; i++) {
     size_t k = i / tables->nsub;
@@ -102,7 +132,9 @@ static enum um_status trace_observations(struct um_context *context, const struc
     double t = um_model_true_time(model, um_model_instant_set(instants, k),
                                   tables->t_obs[k] + u * true_exposure(model, instants, k));
     if (model->has_observer) {
-      UM_TRY(um_model_sample_seen(context, model, t, &tables->sample[i], &tables->look[i]));
+      UM_TRY(um_model_sample_from(context, model, um_model_tables_station(tables, k), t,
+                                  &tables->sample[i], &tables->look[i]));
+      if (i > 0 && i % tables->nsub == 0) straighten(tables, k);
     } else {
       UM_TRY(um_model_sample_at(context, model, t, &tables->sample[i]));
       tables->look[i] = (struct um_orbit_look){
@@ -138,16 +170,21 @@ static void trace_span(const struct um_model *model, struct um_model_tables *tab
   tables->t_periodic_end = periodic ? tables->t_start + tables->period : tables->t_start;
 }
 
-/* Strictly ascending; of two sets of measurements two may be at one time. */
+/* Are an instant and the one before it of two sets, or of two stations? */
+static bool are_apart(const struct um_model_instants *instants, size_t k)
+{
+  return um_model_instant_set(instants, k) != um_model_instant_set(instants, k - 1) ||
+         (instants->station != NULL && instants->station[k] != instants->station[k - 1]);
+}
+
+/* Strictly ascending; of two sets of measurements, or stations, two may be at one time. */
 static enum um_status check_times(struct um_context *context,
                                   const struct um_model_instants *instants)
 {
   const double *times = instants->time;
   if (instants->count == 0) return um_core_fail(context, UM_ERR_INPUT, "no observation times");
   for (size_t k = 1; k < instants->count; k++)
-    if (!(times[k] > times[k - 1]) &&
-        !(times[k] == times[k - 1] &&
-          um_model_instant_set(instants, k) != um_model_instant_set(instants, k - 1)))
+    if (!(times[k] > times[k - 1]) && !(times[k] == times[k - 1] && are_apart(instants, k)))
       return um_core_fail(context, UM_ERR_INPUT,
                           "observation %zu is not later than the one before it", k + 1);
   return UM_OK;
@@ -295,6 +332,7 @@ void um_model_tables_destroy(struct um_context *context, struct um_model_tables 
   struct um_model_tables *t = *tables;
   um_core_free(context, t->t_obs);
   um_core_free(context, (void *)t->set);
+  um_core_free(context, t->station);
   um_core_free(context, t->sunlit);
   um_core_free(context, t->hidden);
   um_core_free(context, t->look);

@@ -14,6 +14,7 @@ struct um_model_instants {
   /* [count] the set of measurements of each, NULL: of none; NULL: of none all. Two times may be the
    * same in different sets. Names are told apart by their text, and outlive the tables. */
   const char *const *set;
+  const size_t *station; /* [count] who looks, of the model's stations; NULL: the observer at all */
   const struct um_model_point *point; /* [count] of a scenario with orbit.points; NULL: an orbit */
   size_t count;
   struct um_model_sampling sampling;

@@ -24,6 +24,7 @@ struct um_model_tables {
   size_t nobs;                /* observations */
   size_t nsub;                /* instants per observation (exposure) */
   double *t_obs;              /* [nobs] t_tai, mid-exposure, at the observer */
+  size_t *station;            /* [nobs] of um_model_instants; NULL: the observer */
   const char **set;           /* [nobs] of um_model_instants; NULL: none; texts borrowed */
   struct um_orbit_look *look; /* [nobs * nsub] */
   struct um_environment_sample *sample; /* [nobs * nsub], at the satellite's time */
@@ -56,5 +57,8 @@ struct um_model_tables {
                   the rows are numbered, their t is t_start plus the number [s]; no events; heat is
                   not followed */
 };
+
+/* Of the model's stations that which looked at observation k. */
+size_t um_model_tables_station(const struct um_model_tables *tables, size_t k);
 
 #endif

@@ -82,5 +82,5 @@ double um_model_scintillation(const struct um_model *model, const struct um_mode
   double airmass = um_environment_airmass_toward(elevation);
   if (isnan(airmass) || !(sensor->exposure > 0.0) || tables->hidden[k]) return NAN;
   return um_instrument_scintillation(sensor->optics.aperture, sensor->exposure, airmass,
-                                     model->observer.height);
+                                     model->station[um_model_tables_station(tables, k)].height);
 }

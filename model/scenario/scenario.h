@@ -37,7 +37,6 @@ struct um_scenario_orientation {
 };
 struct um_scenario_points { /* every measurement says where the satellite is */
   struct um_mark at;
-  struct um_schema_list stations; /* of struct um_scenario_station, beside the observer's */
 };
 struct um_scenario_orbit {
   struct um_mark at;
@@ -147,6 +146,7 @@ struct um_scenario_observer {
   struct um_scenario_station *station;
   struct um_scenario_direction *direction;
   struct um_scenario_moving_observer *trajectory;
+  struct um_schema_list stations; /* of struct um_scenario_station, beside `station` */
   struct um_scenario_air *air;
   double minimum_elevation_deg;
 };
@@ -411,6 +411,7 @@ struct um_scenario_nuisance {
 struct um_scenario_set {
   struct um_mark at;
   const char *name, *file;
+  const char *station;            /* of rows that name none; NULL: the observer's */
   double from, to;                /* rows used, t_tai [s]; NaN: all */
   struct um_schema_list nuisance; /* of struct um_scenario_nuisance */
 };

@@ -45,6 +45,9 @@ static const struct um_schema_field set_fields[] = {
     F(name, UM_SCHEMA_TEXT, NAME, REQUIRED,
       HELP("what the set is called, as in zero_point:vis@NAME")),
     F(file, UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED, HELP("measurements, see docs/files.md")),
+    F(station, UM_SCHEMA_TEXT, NAME,
+      HELP("of observer.station or observer.stations that looked; rows may name another; default: "
+           "observer.station")),
     F_AS(from, "from_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,
          HELP("rows before are left out; default: none are")),
     F_AS(to, "to_utc", UM_SCHEMA_PARSED, NO_DEFAULT, UTC,

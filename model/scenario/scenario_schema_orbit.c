@@ -66,17 +66,11 @@ static const struct um_schema_field station_fields[] = {
 OBJECT(station_object, struct um_scenario_station, "station", "A telescope on the ground.",
        FIELDS(station_fields));
 
-#define OF struct um_scenario_points
-static const struct um_schema_field points_fields[] = {
-    F(stations, UM_SCHEMA_LIST, MOST(10000), .object = &station_object,
-      HELP("that rows may name beside observer.station; each with a name")),
-};
-#undef OF
 OBJECT(points_object, struct um_scenario_points, "points",
        "No track: every row of the measurements says where the satellite is, by "
        "satellite_height_km above the WGS-84 ellipsoid, azimuth_deg and elevation_deg; heat is not "
        "followed.",
-       FIELDS(points_fields));
+       .nfield = 0);
 
 #define OF struct um_scenario_orbit
 static const struct um_schema_field orbit_fields[] = {
@@ -290,6 +284,8 @@ static const struct um_schema_field observer_fields[] = {
     F(station, UM_SCHEMA_MAP, .object = &station_object, .alternative = 1),
     F(direction, UM_SCHEMA_MAP, .object = &direction_object, .alternative = 1),
     F(trajectory, UM_SCHEMA_MAP, .object = &moving_observer_object, .alternative = 1),
+    F(stations, UM_SCHEMA_LIST, MOST(10000), .object = &station_object,
+      HELP("that measurements may name beside `station`; each with a name")),
     F(air, UM_SCHEMA_MAP, .object = &air_object,
       HELP("default: irradiance and counts are those without air")),
     F(minimum_elevation_deg, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(-5, 90),

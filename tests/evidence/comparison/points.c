@@ -93,7 +93,7 @@ static void rows(void **state)
 {
   (void)state;
   struct um_model *model =
-      model_with("orbit.points={stations: [{name: North, latitude_deg: 10, longitude_deg: 0}]}");
+      model_with("observer.stations=[{name: North, latitude_deg: 10, longitude_deg: 0}]");
   struct compared p =
       compare(model, HEAD ",station,track\n" /* 1 */
                           "2022-03-20T19:00:00Z,magnitude_ab,v,6,0.1,550,200,50,Zero,a\n" UP
@@ -167,7 +167,7 @@ static void row_refusals(void **state)
   refused_rows(model, HEAD ",station\n" UP ",Zro\n",
                "m.csv:2: column 'station': the scenario has no station 'Zro'; did you mean "
                "'Zero'?; accepted: Zero, empty "
-               "for the observer's (observer.station, orbit.points.stations)");
+               "for the observer's (observer.station, observer.stations)");
   refused_rows(
       model, HEAD "\n" TIME ",temperature,plate,280,1,550,0,60\n",
       "m.csv:2: column 'quantity': temperature wants heat that is followed along an orbit, "
@@ -216,11 +216,6 @@ static void scenario_refusals(void **state)
   refused_scenario("observer={direction: {unit_gcrs: [0, 0, 1], range_km: 500}}",
                    "scenario.yaml:5: orbit.points: wants the station that azimuths and elevations "
                    "are of; accepted: observer.station");
-  refused_scenario("orbit.points={stations: [{latitude_deg: 10, longitude_deg: 0}]}",
-                   "--set: orbit.points.stations.0: has no name; accepted: the one that rows use");
-  refused_scenario(
-      "orbit.points={stations: [{name: Zero, latitude_deg: 10, longitude_deg: 0}]}",
-      "--set: orbit.points.stations.Zero.name: 'Zero' is taken; accepted: names used once");
 }
 
 int main(void)
