@@ -19,7 +19,7 @@ struct um_compare_plan {
                        within a set but for points */
   double *exposure; /* [ntime] [s] */
   const char **set; /* [ntime] name of the set of measurements; borrowed from them */
-  size_t *station;     /* [ntime] who looks, of the model's stations */
+  size_t *station;  /* [ntime] who looks, of the model's stations */
   struct um_model_point *point; /* [ntime] of a scenario with orbit.points; NULL with an orbit */
   size_t *observation; /* [count] of each row; UM_COMPARE_NOWHERE for a row that is left out */
   size_t *source;      /* [nchannel] band or place; UM_COMPARE_NOWHERE: no row of it is used */
@@ -38,11 +38,11 @@ struct um_compare_plan {
  * are their middles. With an orbit the geometry of rows is not used, and a warning says so.
  *
  * UM_ERR_INPUT, one line naming file and line of the first row at fault: a band, sensor, place or
- * observer that the scenario has not, a station that it has not, an ambiguous place, a time more than one step outside
- * time.start_utc to time.stop_utc, a time that orbit or attitude do not cover, two exposures of one
- * time or exposures that overlap, no row with flag 0; with orbit.points a set without geometry, a
- * satellite not above its station, a temperature (heat is not
- * followed). UM_ERR_MEMORY. The caller destroys. */
+ * observer that the scenario has not, a station that it has not, an ambiguous place, a time more
+ * than one step outside time.start_utc to time.stop_utc, a time that orbit or attitude do not
+ * cover, two exposures of one time or exposures that overlap, no row with flag 0; with orbit.points
+ * a set without geometry, a satellite not above its station, a temperature (heat is not followed).
+ * UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_compare_plan_create(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_measurements *measurements,
                                       struct um_compare_plan **out);
@@ -50,7 +50,8 @@ void um_compare_plan_destroy(struct um_context *context, struct um_compare_plan 
 
 /* When a plan looks at a model; borrowed from it. */
 struct um_model_instants um_compare_plan_instants(const struct um_compare_plan *plan);
-/* The scene at observation k of a plan. Errors of um_model_sample_from and um_model_sample_point. */
+/* The scene at observation k of a plan. Errors of um_model_sample_from and um_model_sample_point.
+ */
 enum um_status um_compare_plan_sample(struct um_context *context, const struct um_model *model,
                                       const struct um_compare_plan *plan, size_t k,
                                       struct um_environment_sample *sample,
