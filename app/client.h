@@ -75,6 +75,7 @@ struct um_app_options {
   const char *data;
   double level;                                      /* 0: not said */
   int steps;                                         /* 0: not said */
+  int passes;                                        /* of diagnose: --passes N; 0: none */
   const char *draft_effect;                          /* of diagnose: --draft-effect FILE */
   const char *from_brdf, *half_angle, *from_profile; /* of materials */
   const char *from_reflectance, *reference, *angle;

@@ -15,6 +15,7 @@ static enum um_status diagnose(struct um_context *context, const struct um_app_o
       .nnuisance = work->request.nnuisance,
       .level = options->level,
       .steps_max = (size_t)options->steps,
+      .passes = (size_t)options->passes,
       .draft = options->draft_effect != NULL,
   };
   UM_TRY(um_sensitivity_candidates_create(context, work->forward, NULL, 0, &wanted.candidates,

@@ -17,8 +17,8 @@
 /* What decides answers, beside files, program and changes of the scenario. */
 static uint64_t digest_of(const struct um_app_options *o)
 {
-  const double numbers[] = {o->level, (double)o->steps, o->posterior ? 1.0 : 0.0, (double)o->draws,
-                            o->draft_effect != NULL};
+  const double numbers[] = {o->level,         (double)o->steps,        o->posterior ? 1.0 : 0.0,
+                            (double)o->draws, o->draft_effect != NULL, (double)o->passes};
   uint64_t digest = um_core_digest_texts(UM_CORE_DIGEST_BEGIN, o->only, o->nonly);
   digest = um_core_digest_texts(digest, o->exclude, o->nexclude);
   digest = um_core_digest_texts(digest, o->nuisance, o->nnuisance);

@@ -217,6 +217,11 @@ static const struct um_app_option table[] = {
      .help = "Probability of accusing a scenario that lacks nothing, over all candidates."},
     {"steps", "steps", "N", .takes = UM_APP_NUMBER, AT(steps), .most = 20, .default_value = "4",
      .example = "--steps 2", .help = "Effects added at most, up to 20."},
+    {"passes", "passes", "N", .takes = UM_APP_NUMBER, AT(passes), .most = 100,
+     .default_value = "none", .example = "--passes 5",
+     .help = "Where more than one effect would do: how well each of the next N passes over each "
+             "station would tell them apart, in which band, and how soon. Heat is followed up to "
+             "them, in two runs for each effect."},
     {"draft-effect", "draft-effect", "FILE.c", .takes = UM_APP_TEXT, AT(draft_effect),
      .offers = UM_APP_FILES, .example = "--draft-effect mine.c",
      .help = "Write what explains the measurements and no effect of the catalogue has, heat or a "

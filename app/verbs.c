@@ -139,8 +139,8 @@ static const struct um_app_verb verbs[] = {
      .run = um_app_sensitivity, .group = UM_APP_EXPLORE},
     {"diagnose", "SCENARIO [MEASURED...]",
      "which effect the scenario lacks, or that it cannot be told",
-     .accepts =
-         "out " CHANGES " only exclude nuisance level steps draft-effect resume details " RESULTS,
+     .accepts = "out " CHANGES
+                " only exclude nuisance level steps passes draft-effect resume details " RESULTS,
      .about =
          "The verdict is complete, found, not_identifiable or unexplained, with what else it could "
          "be and what to measure next. Several files are sets of one satellite: what is done to "

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "evidence/diagnosis/coming_impl.h"
 #include "evidence/diagnosis/diagnosis_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
@@ -253,6 +254,7 @@ enum um_status um_diagnosis_begin(struct um_context *context,
                                   const struct um_diagnosis_options *options,
                                   struct um_diagnosis_work *work, struct um_diagnosis **d)
 {
+  if (options->passes > 0) UM_TRY(um_diagnosis_coming_check(context, forward));
   UM_TRY(um_core_allocate(context, 1, sizeof **d, d));
   *work = (struct um_diagnosis_work){
       .forward = forward,

@@ -43,7 +43,7 @@ void um_diagnosis_end_clear(struct um_context *context, struct um_diagnosis *d)
 void um_diagnosis_next_clear(struct um_context *context, struct um_diagnosis *d)
 {
   for (size_t i = 0; i < d->nnext; i++) {
-    UM_FREE(context, d->next_of[i].what, d->next_of[i].of);
+    UM_FREE(context, d->next_of[i].what, d->next_of[i].of, d->next_of[i].pass);
   }
   um_core_free(context, d->next_of);
   d->next_of = d->next = NULL;

@@ -79,6 +79,21 @@ enum um_diagnosis_verdict {
 };
 const char *um_diagnosis_verdict_name(enum um_diagnosis_verdict verdict);
 
+/* A pass to come, and how well it would tell the winner of a step from an alternative: in the band
+ * that tells most, by values as far apart in time as those that were measured, against noise alone.
+ */
+struct um_diagnosis_pass {
+  const char *station;           /* name; "": it has none; borrowed from the scenario */
+  size_t which;                  /* of the model's stations */
+  double rise, culmination, set; /* above observer.minimum_elevation_deg, t_tai [s] */
+  double elevation;              /* at culmination, airless [rad] */
+  double sun_elevation;          /* of the station's Sun then [rad] */
+  const char *of;                /* band; NULL: none shows anything; borrowed from the model */
+  double sigmas;                 /* by all values of the pass [1] */
+  double from, seconds; /* the shortest stretch of it that is worth 5 sigma: its begin, t_tai [s],
+                           and length [s]; NaN: all of it is worth less */
+};
+
 /* The observation that would tell the winner of a step from one of its alternatives. */
 struct um_diagnosis_next {
   char *what; /* "temperature of body.+y in the umbra"; NULL: nothing that this scenario has */
@@ -88,11 +103,20 @@ struct um_diagnosis_next {
   double airmass;         /* the observations lie above it; NaN: any does */
   double sigma;           /* of the measurement, assumed of one observation, unit of the quantity */
   double chi2_difference; /* expected chi-square per observation */
-  double from, to;        /* t_tai of the window of the scenario it was computed in */
-  size_t step, candidate; /* the step, and the candidate that is told from its winner */
+  double cadence; /* from one value to the next, as measured, else as the scenario has it [s] */
+  double phase_from, phase_to; /* angles Sun, satellite, observer of those observations [rad]; NaN:
+                                  of a temperature */
+  double from, to;             /* t_tai of the window of the scenario it was computed in */
+  size_t step, candidate;      /* the step, and the candidate that is told from its winner */
   const char *told_apart_by; /* in the words of the effects, where nothing of the scenario helps; or
                                 NULL; borrowed */
+  struct um_diagnosis_pass
+      *pass; /* [npass] to come, by rise; none: not asked for, or not looked at */
+  size_t npass;
 };
+
+/* Values that are worth 5 sigma; NaN: what is not known. */
+double um_diagnosis_next_values(const struct um_diagnosis_next *next);
 
 /* A candidate that was not fitted, and why. */
 struct um_diagnosis_missed {

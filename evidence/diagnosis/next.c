@@ -2,15 +2,8 @@
  * bands and places in sunlight, penumbra and umbra of its own window, and of the bands those that
  * lie at high airmass.
  *
- * Both explanations are computed as they were fitted; per observation of a channel the expected
- * chi-square between them is the mean of
- *
- *   (M1 - M2)^2 / (sigma^2 + sigma_model^2),
- *
- * as a diagnosis would weigh it: sigma is the measurement's own, that of observations of the
- * channel which were measured, else a usual one, and what is asked of the observer; sigma_model is
- * the sampling error of the model at the times that are planned (not that of those measured), 0 of
- * temperatures. Where none helps, what the effects themselves say tells them apart is said. */
+ * Both explanations are computed as they were fitted (apart.c). Where none helps, what the effects
+ * themselves say tells them apart is said. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +12,8 @@
 #include "base/core/order.h"
 #include "environment/airmass.h"
 #include "evidence/comparison/segments.h"
+#include "evidence/diagnosis/apart_impl.h"
+#include "evidence/diagnosis/coming_impl.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
@@ -28,31 +23,19 @@ static const enum um_compare_segment light[] = {UM_SEGMENT_SUNLIT, UM_SEGMENT_PE
 
 struct chi2_difference {
   double airmass[UM_SEGMENT_COUNT]; /* observations above this airmass; NaN: all */
-  double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT]; /* means over the observations */
+  double worth[UM_SEGMENT_COUNT], sigma[UM_SEGMENT_COUNT];         /* means over the observations */
+  double phase_from[UM_SEGMENT_COUNT], phase_to[UM_SEGMENT_COUNT]; /* [rad] */
   size_t count[UM_SEGMENT_COUNT];
 };
 
-/* Relative sigma of a band's observations, or sigma of a place's [K], of the measurement alone; NaN
- * when not measured. */
-static double measured_sigma(const struct um_sensitivity_forward *f, bool temperature,
-                             const char *of)
+static void collect(struct chi2_difference *s, enum um_compare_segment segment, double worth,
+                    double sigma, double phase)
 {
-  double sum = 0.0, count = 0.0;
-  for (size_t j = 0; j < f->observations.count; j++) {
-    const struct um_compare_channel *c = &f->measurements->channel[f->observations.channel[j]];
-    if ((c->quantity == UM_QUANTITY_TEMPERATURE) != temperature || strcmp(c->of, of) != 0) continue;
-    double sigma = f->observations.stated_sigma[j];
-    sum += temperature ? sigma : sigma / fmax(fabs(f->observations.measured[j]), sigma);
-    count += 1.0;
-  }
-  return count > 0.0 ? sum / count : NAN;
-}
-
-static void collect(struct chi2_difference *s, enum um_compare_segment segment, double difference,
-                    double sigma, double model_sigma)
-{
-  s->worth[segment] += difference * difference / (sigma * sigma + model_sigma * model_sigma);
+  s->worth[segment] += worth;
   s->sigma[segment] += sigma;
+  if (s->count[segment] == 0) s->phase_from[segment] = s->phase_to[segment] = phase;
+  s->phase_from[segment] = fmin(s->phase_from[segment], phase);
+  s->phase_to[segment] = fmax(s->phase_to[segment], phase);
   s->count[segment]++;
 }
 
@@ -76,6 +59,8 @@ static enum um_status offer(struct um_context *context, const struct chi2_differ
     next->segment = g;
     next->chi2_difference = worth;
     next->sigma = s->sigma[g] / (double)s->count[g];
+    next->phase_from = s->phase_from[g];
+    next->phase_to = s->phase_to[g];
   }
   return UM_OK;
 }
@@ -84,6 +69,14 @@ static double airmass_at(const struct um_sensitivity_forward_run *run, size_t k)
 {
   const struct um_model_tables *p = run->variant.tables;
   return um_environment_airmass_toward(p->look[k * p->nsub + p->nsub / 2].elevation);
+}
+
+/* Angle Sun, satellite, observer in the middle of the exposure [rad]. */
+static double phase_at(const struct um_sensitivity_forward_run *run, size_t k)
+{
+  const struct um_model_tables *p = run->variant.tables;
+  const struct um_environment_sample *s = &p->sample[k * p->nsub + p->nsub / 2];
+  return um_vec3_angle(s->sun, s->to_observer);
 }
 
 /* Airmass above which a third of the observations of a segment lie; NaN: no station, or too little
@@ -124,17 +117,13 @@ static enum um_status offer_band(struct um_context *context, const struct um_sen
     all.airmass[g] = NAN;
     above.airmass[g] = high[g];
   }
-  double relative = measured_sigma(f, false, name), peak = 0.0;
-  if (isnan(relative)) relative = UM_DIAGNOSIS_USUAL_RELATIVE;
-  for (size_t k = 0; k < a->nobs; k++)
-    if (a->irradiance[k * a->nband + band] > peak) peak = a->irradiance[k * a->nband + band];
+  const struct um_diagnosis_band_noise noise = um_diagnosis_noise_of_band(f, a, band, name);
   for (size_t k = 0; k < a->nobs; k++) {
-    double ea = a->irradiance[k * a->nband + band], eb = b->irradiance[k * b->nband + band];
-    if (isnan(ea) || isnan(eb) || !(peak > 0.0)) continue;
-    double sigma = hypot(relative * ea, UM_DIAGNOSIS_FAINT * peak);
-    double own = a->irradiance_error[k * a->nband + band];
-    collect(&all, segment[k], ea - eb, sigma, own);
-    if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], ea - eb, sigma, own);
+    double sigma, worth = um_diagnosis_apart(&noise, a, b, band, k, &sigma);
+    double phase = phase_at(&run[0], k);
+    if (isnan(worth)) continue;
+    collect(&all, segment[k], worth, sigma, phase);
+    if (airmass_at(&run[0], k) > high[segment[k]]) collect(&above, segment[k], worth, sigma, phase);
   }
   UM_TRY(offer(context, &all, UM_QUANTITY_BAND_IRRADIANCE, name, next));
   return offer(context, &above, UM_QUANTITY_BAND_IRRADIANCE, name, next);
@@ -164,13 +153,19 @@ static enum um_status offer_places(struct um_context *context,
   for (size_t p = 0; p < a->nplace && p < b->nplace; p++) {
     struct chi2_difference s = {0};
     for (size_t g = 0; g < UM_SEGMENT_COUNT; g++) s.airmass[g] = NAN;
-    double sigma = measured_sigma(f, true, a->place[p].name);
-    if (isnan(sigma)) sigma = UM_DIAGNOSIS_USUAL_TEMPERATURE;
-    for (size_t k = 0; k < a->nobs; k++)
-      collect(&s, segment[k], a->place[p].mean[k] - b->place[p].mean[k], sigma, 0.0);
+    double sigma = um_diagnosis_sigma_of(f, true, a->place[p].name);
+    for (size_t k = 0; k < a->nobs; k++) {
+      double apart = (a->place[p].mean[k] - b->place[p].mean[k]) / sigma;
+      collect(&s, segment[k], apart * apart, sigma, NAN);
+    }
     UM_TRY(offer(context, &s, UM_QUANTITY_TEMPERATURE, a->place[p].name, next));
   }
   return UM_OK;
+}
+
+double um_diagnosis_next_values(const struct um_diagnosis_next *next)
+{
+  return next->what != NULL ? ceil(UM_INFERENCE_SEPARABLE / next->chi2_difference) : NAN;
 }
 
 static enum um_status say(struct um_context *context, struct um_diagnosis_next *next)
@@ -214,6 +209,10 @@ static enum um_status look(struct um_context *context, const struct um_diagnosis
                                     motion));
   UM_CHECK(offer_bands(context, work->forward, run, segment, next));
   UM_CHECK(offer_places(context, work->forward, run, segment, next));
+  if (next->of != NULL)
+    UM_CHECK(um_diagnosis_cadence_of(context, work->forward,
+                                     next->quantity == UM_QUANTITY_TEMPERATURE, next->of,
+                                     &next->cadence));
   UM_CHECK(say(context, next));
 done:
   UM_FREE(context, motion, segment);
@@ -232,42 +231,73 @@ static const char *told_apart(const struct um_effect *winner, const struct um_ef
   return winner->separated_by != NULL ? winner->separated_by : other->separated_by;
 }
 
-/* Find the observation that tells one alternative from the winner. run[0]: with the winner; NULL:
- * only what the descriptors say. */
+/* With the winner of a step, and with an alternative: over the scenario's window, and over passes
+ * to come. */
+struct looks {
+  struct um_sensitivity_forward_run run[2], ahead[2];
+  const struct um_diagnosis_coming *coming;
+};
+
+static enum um_status look_with(struct um_context *context, const struct um_diagnosis_work *work,
+                                const struct um_model_addition *addition, size_t n, int which,
+                                struct looks *looks)
+{
+  static const struct um_model_instants window = {.count = 0};
+  UM_TRY(
+      um_sensitivity_forward_run(context, work->forward, addition, n, &window, &looks->run[which]));
+  if (looks->coming->npass == 0) return UM_OK;
+  return um_sensitivity_forward_run(context, work->forward, addition, n, &looks->coming->instants,
+                                    &looks->ahead[which]);
+}
+
+static void release_looks(struct um_context *context, int which, struct looks *looks)
+{
+  um_sensitivity_forward_run_release(context, &looks->run[which]);
+  um_sensitivity_forward_run_release(context, &looks->ahead[which]);
+}
+
+/* Find the observation that tells one alternative from the winner, which `looks` has; NULL: only
+ * what the descriptors say. */
 static enum um_status find_one(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state, struct um_diagnosis *d,
                                size_t s, const struct um_diagnosis_alternative *alternative,
-                               struct um_sensitivity_forward_run run[2])
+                               struct looks *looks)
 {
   enum um_status status = UM_OK;
   const struct um_diagnosis_step *step = &d->step[s];
   struct um_model_addition *addition = NULL;
   UM_TRY(um_core_reallocate(context, d->nnext + 1, sizeof *d->next_of, (void **)&d->next_of));
   struct um_diagnosis_next *next = &d->next_of[d->nnext++];
-  *next = (struct um_diagnosis_next){
-      .airmass = NAN, .from = NAN, .to = NAN, .step = s, .candidate = alternative->candidate};
-  if (run != NULL) {
+  *next = (struct um_diagnosis_next){.airmass = NAN,
+                                     .phase_from = NAN,
+                                     .phase_to = NAN,
+                                     .from = NAN,
+                                     .to = NAN,
+                                     .step = s,
+                                     .candidate = alternative->candidate};
+  if (looks != NULL) {
     UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
     replace(work, state, step, alternative, addition);
-    UM_CHECK(
-        um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[1]));
-    UM_CHECK(look(context, work, run, next));
+    UM_CHECK(look_with(context, work, addition, state->nblock, 1, looks));
+    UM_CHECK(look(context, work, looks->run, next));
+    if (looks->coming->npass > 0)
+      UM_CHECK(um_diagnosis_coming_tell(context, work->forward, looks->coming, looks->ahead, next));
   }
   if (next->what == NULL)
     next->told_apart_by = told_apart(step->addition.effect,
                                      work->candidates->candidate[alternative->candidate].effect);
 done:
-  if (run != NULL) um_sensitivity_forward_run_release(context, &run[1]);
+  if (looks != NULL) release_looks(context, 1, looks);
   um_core_free(context, addition);
   return status;
 }
 
 static enum um_status find_of_step(struct um_context *context, const struct um_diagnosis_work *work,
                                    const struct um_diagnosis_state *state, struct um_diagnosis *d,
-                                   size_t s)
+                                   size_t s, const struct um_diagnosis_coming *coming)
 {
   enum um_status status = UM_OK;
-  struct um_sensitivity_forward_run run[2] = {{.result = NULL}, {.result = NULL}};
+  struct looks looks = {.coming = coming};
   struct um_model_addition *addition = NULL;
   size_t tied = 0, looked = 0;
   for (size_t i = 1; i < d->step[s].nalternative; i++)
@@ -276,21 +306,32 @@ static enum um_status find_of_step(struct um_context *context, const struct um_d
   um_core_progress_begin(context, "looking for the next measurement", tied);
   UM_CHECK(um_core_allocate(context, state->nblock, sizeof *addition, &addition));
   um_diagnosis_state_additions(state, addition);
-  UM_CHECK(
-      um_sensitivity_forward_run(context, work->forward, addition, state->nblock, true, &run[0]));
+  UM_CHECK(look_with(context, work, addition, state->nblock, 0, &looks));
   for (size_t i = 1; i < d->step[s].nalternative; i++) {
     const struct um_diagnosis_alternative *alternative = &d->step[s].alternative[i];
     if (!alternative->indistinguishable) continue;
     UM_CHECK(find_one(context, work, state, d, s, alternative,
-                      looked < UM_DIAGNOSIS_NEAREST ? run : NULL));
+                      looked < UM_DIAGNOSIS_NEAREST ? &looks : NULL));
     looked++;
     UM_CHECK(um_core_progress_step(context, 1));
   }
 done:
   um_core_progress_end(context);
   um_core_free(context, addition);
-  um_sensitivity_forward_run_release(context, &run[0]);
+  release_looks(context, 0, &looks);
   return status;
+}
+
+static enum um_status find_all(struct um_context *context, const struct um_diagnosis_work *work,
+                               const struct um_diagnosis_state *state, struct um_diagnosis *d,
+                               const struct um_diagnosis_coming *coming)
+{
+  for (int small = 0; small < 2 && d->nnext == 0; small++)
+    for (size_t s = 0; s < d->nstep; s++)
+      if (um_diagnosis_has_group(&d->step[s]) &&
+          (d->step[s].confidence == UM_CONFIDENCE_SMALL) == (small == 1))
+        UM_TRY(find_of_step(context, work, state, d, s, coming));
+  return UM_OK;
 }
 
 enum um_status um_diagnosis_next_find(struct um_context *context,
@@ -298,16 +339,21 @@ enum um_status um_diagnosis_next_find(struct um_context *context,
                                       const struct um_diagnosis_state *state,
                                       struct um_diagnosis *d)
 {
-  for (int small = 0; small < 2 && d->nnext == 0; small++)
-    for (size_t s = 0; s < d->nstep; s++)
-      if (um_diagnosis_has_group(&d->step[s]) &&
-          (d->step[s].confidence == UM_CONFIDENCE_SMALL) == (small == 1))
-        UM_TRY(find_of_step(context, work, state, d, s));
+  enum um_status status = UM_OK;
+  struct um_diagnosis_coming coming = {.npass = 0};
+  bool ambiguous = false;
+  for (size_t s = 0; s < d->nstep; s++)
+    ambiguous = ambiguous || um_diagnosis_has_group(&d->step[s]);
+  if (ambiguous && work->options->passes > 0)
+    UM_CHECK(um_diagnosis_coming_create(context, work->forward, work->options->passes, &coming));
+  UM_CHECK(find_all(context, work, state, d, &coming));
   for (size_t i = 0; i < d->nnext; i++) { /* one that was computed counts, the hardest first */
     struct um_diagnosis_next *next = &d->next_of[i];
     if (isnan(next->from)) continue;
     if (d->next == NULL || next->chi2_difference < d->next->chi2_difference) d->next = next;
   }
   if (d->next == NULL && d->nnext > 0) d->next = &d->next_of[0];
-  return UM_OK;
+done:
+  um_diagnosis_coming_release(context, &coming);
+  return status;
 }

@@ -23,6 +23,8 @@ struct um_diagnosis_options {
   size_t steps_max;    /* effects added at most; 0: 4 */
   size_t alternatives; /* candidates fitted at each step at most; 0: 8 */
   bool no_next;        /* do not look for the next measurement */
+  size_t passes;       /* to come over each station, of which each is looked at as such; each costs
+                          two runs of heat from the first measurement to it */
   bool no_heat;        /* do not reconstruct heat */
   size_t draws;        /* from the posterior of chosen effects, each a run; 0: none */
   uint64_t seed;       /* of them */

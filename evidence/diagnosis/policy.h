@@ -163,6 +163,10 @@
 #define UM_DIAGNOSIS_FAINT             0.01
 /* Alternatives of a step that are computed. HAND. */
 #define UM_DIAGNOSIS_NEAREST 4
+/* Passes to come: how far ahead they are looked for [d], and steps that each is looked at in. HAND.
+ */
+#define UM_DIAGNOSIS_DAYS       30
+#define UM_DIAGNOSIS_PASS_STEPS 40
 /* High airmass: above this share of the observations [1], where the largest is so many times the
  * least [1], and said where it is worth so many times all observations [1]. HAND. */
 #define UM_DIAGNOSIS_HIGH    0.67

@@ -85,7 +85,7 @@ enum um_status um_missing_heat_residual_of(struct um_context *context,
 {
   struct um_sensitivity_forward_run run = {.result = NULL};
   *out = (struct um_missing_heat_residual){0};
-  UM_TRY(um_sensitivity_forward_run(context, forward, addition, naddition, false, &run));
+  UM_TRY(um_sensitivity_forward_run(context, forward, addition, naddition, NULL, &run));
   const struct um_compare_run compared = {run.variant.model, forward->plan, run.variant.tables,
                                           run.result};
   enum um_status status =

@@ -147,7 +147,7 @@ enum um_status um_missing_light_observations_create(struct um_context *context,
   UM_TRY(project(context, forward, value, nuisance, nnuisance, o));
   for (size_t j = 0; j < n; j++) light = light || is_light(forward, j);
   if (!light) return UM_OK;
-  UM_TRY(um_sensitivity_forward_run(context, forward, addition, naddition, false, &o->run));
+  UM_TRY(um_sensitivity_forward_run(context, forward, addition, naddition, NULL, &o->run));
   forward->evaluations++;
   UM_TRY(um_model_material_names(context, forward->model, &o->material));
   o->nmaterial = o->run.result->nmaterial;

@@ -66,11 +66,11 @@ enum um_status um_sensitivity_forward_tasks(struct um_context *context,
 /* Heat of a variant, from that of the scenario as it stands. */
 struct um_variant_heat um_sensitivity_forward_heat(const struct um_sensitivity_forward *forward);
 /* The same with everything kept: model, geometry tables and result of the variant, for a
- * comparison or for bands and places that were not measured. grid: false: times of the
- * measurements; true: of the scenario's own window (with orbit.points, which has none, those of the
- * measurements), by as few paths between surfaces as the scenario has: few measurements may want
- * hundreds, which a window of many instants has no use for. Owned by the caller, released by
- * _release. Tolerances are those of the forward. */
+ * comparison or for bands and places that were not measured. over: NULL: times of the measurements;
+ * else others, without times the scenario's own window (with orbit.points, which has none, times of
+ * the measurements), by as few paths between surfaces as the scenario has, whatever its sampling
+ * says: few measurements may want hundreds, which a window of many instants has no use for. Owned
+ * by the caller, released by _release. Tolerances are those of the forward. */
 struct um_sensitivity_forward_run {
   struct um_variant variant;
   struct um_model_result *result;
@@ -78,7 +78,7 @@ struct um_sensitivity_forward_run {
 enum um_status um_sensitivity_forward_run(struct um_context *context,
                                           const struct um_sensitivity_forward *forward,
                                           const struct um_model_addition *addition,
-                                          size_t naddition, bool grid,
+                                          size_t naddition, const struct um_model_instants *over,
                                           struct um_sensitivity_forward_run *out);
 void um_sensitivity_forward_run_release(struct um_context *context,
                                         struct um_sensitivity_forward_run *run);

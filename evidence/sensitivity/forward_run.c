@@ -19,22 +19,26 @@ static enum um_status run_with_all_paths(struct um_context *context,
 enum um_status um_sensitivity_forward_run(struct um_context *context,
                                           const struct um_sensitivity_forward *forward,
                                           const struct um_model_addition *addition,
-                                          size_t naddition, bool grid,
+                                          size_t naddition, const struct um_model_instants *over,
                                           struct um_sensitivity_forward_run *out)
 {
   enum um_status status;
   const struct um_model_changes changes = {.addition = addition, .naddition = naddition};
   const struct um_variant_heat heat = um_sensitivity_forward_heat(forward);
-  const struct um_model_instants window = {
-      .sampling = {forward->instants.sampling.samples, forward->paths_before}};
+  bool other = over != NULL && !forward->model->points; /* points have no window of their own */
+  struct um_model_instants instants = {.count = 0};
   struct um_variant *v = &out->variant;
   *out = (struct um_sensitivity_forward_run){.result = NULL};
   um_core_quiet_begin(context);
-  if (grid && !forward->model->points) /* points have no window of their own */
-    UM_CHECK(um_variant_open_over(context, forward->evaluator, &window, &changes, &heat, v));
-  else
+  if (other) {
+    instants = *over;
+    instants.sampling.samples = forward->instants.sampling.samples;
+    instants.sampling.paths = forward->paths_before;
+    UM_CHECK(um_variant_open_over(context, forward->evaluator, &instants, &changes, &heat, v));
+  } else {
     UM_CHECK(um_variant_open(context, forward->evaluator, &changes, &heat, v));
-  UM_CHECK(run_with_all_paths(context, forward, grid && !forward->model->points, out));
+  }
+  UM_CHECK(run_with_all_paths(context, forward, other, out));
 done:
   um_core_quiet_end(context);
   if (status != UM_OK) um_sensitivity_forward_run_release(context, out);

@@ -101,7 +101,8 @@ def commands():
     yield ["synth", *BOX, *SHORT, "--noise", "0.01,0.001", "--seed", "5", "--with", "zero_point:vis,factor=0.95", "-o",
            "dim.csv"]
     yield ["diagnose", *BOX, *SHORT, "vis.csv", "--no-plots", "--only", "zero_point:vis", "--only", "area:bus",
-           "--nuisance", "emittance:grey_white", "--out", "group"]
+           "--nuisance", "emittance:grey_white", "--passes", "1", "--out",
+           "group"]
     yield ["synth", *BOX, *SHORT, "--noise", "0.01,0.001", "--seed", "5", "--temperatures", "bus", "--with",
            "emittance:grey_white,factor=0.5", "-o", "warm.csv"]
     yield ["diagnose", *BOX, *SHORT, "warm.csv", "--no-plots", "--only", "zero_point:vis", "--out", "warm"]

@@ -156,7 +156,8 @@ static void say_next(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMMARY
   char text[UM_DIAGNOSIS_NEXT_TEXT];
   const struct um_diagnosis_next *next = NULL;
   for (size_t i = 0; i < d->nnext && (next == NULL || next->what == NULL); i++)
-    if (d->next_of[i].what != NULL || (d->next_of[i].told_apart_by != NULL && next == NULL))
+    if (d->next_of[i].what != NULL || d->next_of[i].npass > 0 ||
+        (d->next_of[i].told_apart_by != NULL && next == NULL))
       next = &d->next_of[i];
   if (next == NULL) return;
   if (next->what != NULL) um_diagnosis_report_next_text(next, text);
@@ -164,6 +165,12 @@ static void say_next(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMMARY
            d->candidates->candidate[d->step[next->step].candidate].name,
            d->candidates->candidate[next->candidate].name, next->what != NULL ? ", measure" : "",
            next->what != NULL ? text : behind_names(next->told_apart_by));
+  const struct um_diagnosis_pass *pass = um_diagnosis_report_best_pass(next);
+  size_t n = strlen(out);
+  if (pass == NULL) return;
+  um_diagnosis_report_pass_text(pass, text);
+  snprintf(out + n, UM_DIAGNOSIS_SUMMARY_MAX - n, " Of %zu passes the best is %s.", next->npass,
+           text);
 }
 
 /* ---- all ---- */

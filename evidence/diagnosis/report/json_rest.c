@@ -4,7 +4,29 @@
 
 #include "evidence/diagnosis/report/report_impl.h"
 
+#include "base/core/constants.h"
 #include "base/core/json.h"
+
+/* Passes to come. */
+static void json_passes(FILE *file, const struct um_diagnosis_next *next)
+{
+  fputs(", \"passes\": [", file);
+  for (size_t i = 0; i < next->npass; i++) {
+    const struct um_diagnosis_pass *p = &next->pass[i];
+    um_core_json_text(file, i > 0 ? ",\n      {" : "\n      {", "station", p->station);
+    um_diagnosis_report_json_time(file, ", ", "rise_utc", p->rise);
+    um_diagnosis_report_json_time(file, ", ", "culmination_utc", p->culmination);
+    um_diagnosis_report_json_time(file, ", ", "set_utc", p->set);
+    um_core_json_field(file, ", ", "elevation_deg", p->elevation / UM_DEG);
+    um_core_json_field(file, ", ", "sun_elevation_deg", p->sun_elevation / UM_DEG);
+    um_core_json_text(file, ", ", "of", p->of);
+    um_core_json_field(file, ", ", "sigma", p->sigmas);
+    um_diagnosis_report_json_time(file, ", ", "best_from_utc", p->from);
+    um_core_json_field(file, ", ", "seconds_to_5_sigma", p->seconds);
+    fputc('}', file);
+  }
+  fputc(']', file);
+}
 
 /* The fields of an observation that tells two explanations apart. */
 static void json_next_fields(FILE *file, const struct um_diagnosis_next *next)
@@ -18,10 +40,16 @@ static void json_next_fields(FILE *file, const struct um_diagnosis_next *next)
     um_core_json_field(file, ", ", "sigma", next->sigma);
     um_core_json_text(file, ", ", "unit", um_compare_quantity_unit(next->quantity));
     um_core_json_field(file, ", ", "chi2_difference_per_observation", next->chi2_difference);
+    um_core_json_field(file, ", ", "values_to_5_sigma", um_diagnosis_next_values(next));
+    um_core_json_field(file, ", ", "seconds_to_5_sigma",
+                       um_diagnosis_next_values(next) * next->cadence);
+    um_core_json_field(file, ", ", "phase_from_deg", next->phase_from / UM_DEG);
+    um_core_json_field(file, ", ", "phase_to_deg", next->phase_to / UM_DEG);
     um_diagnosis_report_json_time(file, ", ", "from_utc", next->from);
     um_diagnosis_report_json_time(file, ", ", "to_utc", next->to);
   }
   um_core_json_text(file, ", ", "told_apart_by", next->told_apart_by);
+  json_passes(file, next);
 }
 
 /* For the alternative that is hardest to tell, then for each of them. */

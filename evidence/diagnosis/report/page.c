@@ -289,19 +289,25 @@ static enum um_status next(struct work *w)
   static const struct um_page_figure figure = {.id = "next", .title = "What would tell them apart"};
   const struct um_diagnosis *d = w->d;
   const char **winner, **from, **what;
-  size_t n = 0;
+  size_t n = 0, most = d->nnext;
   if (d->nnext == 0) return UM_OK;
-  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &winner));
-  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &from));
-  UM_TRY(UM_PAGE_ROOM(w->p, d->nnext, &what));
+  for (size_t i = 0; i < d->nnext; i++) most += d->next_of[i].npass;
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &winner));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &from));
+  UM_TRY(UM_PAGE_ROOM(w->p, most, &what));
   for (size_t i = 0; i < d->nnext; i++) {
     const struct um_diagnosis_next *one = &d->next_of[i];
-    char *text;
-    UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_NEXT_TEXT, &text));
-    um_diagnosis_report_next_text(one, text);
-    winner[n] = d->candidates->candidate[d->step[one->step].candidate].name;
-    from[n] = d->candidates->candidate[one->candidate].name;
-    what[n++] = text;
+    for (size_t k = 0; k <= one->npass; k++) {
+      char *text;
+      UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_NEXT_TEXT, &text));
+      if (k == 0)
+        um_diagnosis_report_next_text(one, text);
+      else
+        um_diagnosis_report_pass_text(&one->pass[k - 1], text); /* "T over Graz, .." */
+      winner[n] = d->candidates->candidate[d->step[one->step].candidate].name;
+      from[n] = d->candidates->candidate[one->candidate].name;
+      what[n++] = text;
+    }
   }
   const struct um_page_column column[] = {{.name = "to tell", .text = winner},
                                           {.name = "from", .text = from},

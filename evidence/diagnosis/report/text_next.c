@@ -12,7 +12,8 @@
  * of the scenario does. */
 static bool is_one_line(const struct um_diagnosis_next *a, const struct um_diagnosis_next *b)
 {
-  if (a->what == NULL && b->what == NULL && a->step == b->step) return true;
+  if (a->what == NULL && b->what == NULL && a->step == b->step && a->npass + b->npass == 0)
+    return true;
   return um_diagnosis_report_next_same(a, b);
 }
 
@@ -33,6 +34,10 @@ static void print_next(FILE *file, const struct um_diagnosis *d)
                 d->candidates->candidate[d->next_of[k].candidate].name);
     um_diagnosis_report_next_text(next, text);
     fprintf(file, ": %s\n", text);
+    for (size_t k = 0; k < next->npass; k++) {
+      um_diagnosis_report_pass_text(&next->pass[k], text);
+      fprintf(file, "    pass of %s\n", text);
+    }
   }
 }
 

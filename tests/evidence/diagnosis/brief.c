@@ -177,7 +177,7 @@ static void test_group(void **state)
   says(brief, "(emittance:grey_white factor 0.900 +- 0.020, 38 %). Reduced ");
   has(brief,
       "\nTo tell internal_power:bus from emittance:grey_white, measure: temperature of bus.+y");
-  says(brief, " is worth a chi-square of 12. ");
+  says(brief, ": 5 sigma by 3 values of sigma 0.3 K, 30 s of them. ");
   has(brief, "\nWhere you know that it is not internal_power:bus, type: " COMMAND
              " --exclude internal_power:bus --out 'out/my pass-without'\n");
   has_not(brief, "Missing");

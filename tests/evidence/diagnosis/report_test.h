@@ -226,6 +226,8 @@ static inline void world_make(struct world *w)
                                           .airmass = NAN,
                                           .sigma = 0.3,
                                           .chi2_difference = 12.0,
+                                          .cadence = 10.0,
+                                          .phase_from = NAN,
                                           .from = w->forward->observations.t[0],
                                           .to = w->forward->observations.t[0] + 60.0,
                                           .candidate = 1};

@@ -58,7 +58,7 @@ static void assert_as_compared(struct um_sensitivity_forward *f)
   struct um_sensitivity_forward_run run;
   struct um_compare_comparison *c;
   double chi2 = 0.0;
-  assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, false, &run));
+  assert_ok(um_sensitivity_forward_run(context, f, NULL, 0, NULL, &run));
   assert_int_equal(run.variant.tables->sampling.samples, f->samples);
   struct um_compare_run compared = {run.variant.model, f->plan, run.variant.tables, run.result};
   assert_ok(um_compare_create(context, &compared, 0.0, &c));

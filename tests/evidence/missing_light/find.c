@@ -78,7 +78,7 @@ static struct um_missing_light look(enum hidden hidden, uint64_t seed, bool leve
   *kept = forward_of(NULL, *m);
   assert_int_equal((*kept)->observations.count, N);
   assert_ok(um_sensitivity_forward_evaluate(context, *kept, NULL, 0, value));
-  assert_ok(um_sensitivity_forward_run(context, *kept, NULL, 0, false, &run));
+  assert_ok(um_sensitivity_forward_run(context, *kept, NULL, 0, NULL, &run));
   for (size_t j = 0; j < N; j++) {
     sigma[j] = 0.01 * value[j];
     truth[j] = hide(hidden, &run, j / 2, j % 2, value[j]) + sigma[j] * rows_normal(seed, j);

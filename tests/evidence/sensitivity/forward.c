@@ -30,6 +30,7 @@ static const struct {
 #define KINDS  (sizeof kinds / sizeof kinds[0])
 #define SCALED 0 /* of kinds: its loads are made of the scenario's, off by the last of 24 bits */
 
+static const struct um_model_instants own_window = {.count = 0};
 static const char *const without_albedo[] = {"albedo"};
 
 static double largest_difference(const struct um_sensitivity_forward *f, const double *a,
@@ -131,13 +132,13 @@ static void test_run(void **state)
   struct um_sensitivity_forward_run run;
   double value[48], rows[60];
   assert_ok(um_sensitivity_forward_evaluate(context, f, &a, 1, value));
-  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, false, &run));
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, NULL, &run));
   assert_ok(um_compare_predict(context, f->plan, run.variant.tables, run.result, rows));
   for (size_t j = 0; j < f->observations.count; j++)
     if (m->channel[f->observations.channel[j]].quantity == UM_QUANTITY_TEMPERATURE)
       assert_true(rows[f->observations.row[j]] == value[j]);
   um_sensitivity_forward_run_release(context, &run);
-  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, &own_window, &run));
   assert_int_equal(run.variant.tables->nobs, 181); /* 12 minutes, every 4 s */
   um_sensitivity_forward_run_release(context, &run);
   um_sensitivity_forward_run_release(context, &run);
@@ -169,7 +170,7 @@ static void assert_run(struct um_sensitivity_forward *f, const struct um_model_a
 {
   struct um_sensitivity_forward_run run;
   double rows[24], own[24];
-  assert_ok(um_sensitivity_forward_run(context, f, a, 1, false, &run));
+  assert_ok(um_sensitivity_forward_run(context, f, a, 1, NULL, &run));
   assert_ok(um_compare_predict(context, f->plan, run.variant.tables, run.result, rows));
   um_compare_modelled(f->measurements, f->observations.count, f->observations.row, rows, own);
   assert_memory_equal(own, value, sizeof own);
@@ -393,7 +394,7 @@ static void test_few_paths(void **state)
   assert_ok(um_sensitivity_forward_evaluate(context, f, &turned, 1, few));
   assert_memory_equal(few, value, sizeof few); /* all of them again */
   struct um_sensitivity_forward_run run;
-  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, true, &run));
+  assert_ok(um_sensitivity_forward_run(context, f, &a, 1, &own_window, &run));
   assert_int_equal(run.variant.tables->sampling.paths, 1); /* the window wants no more */
   assert_int_equal(run.variant.tables->sampling.samples, f->samples);
   um_sensitivity_forward_run_release(context, &run);
