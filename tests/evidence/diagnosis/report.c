@@ -31,7 +31,8 @@ static void test_json(const char *path)
       "\"residual\": {\"channel\": \"bus.+y\", \"chi2_red\": 7.5, \"mean_in_sigma\": -2",
       "\"excluded_by\": \"prior\"",
       "{\"effect\": \"internal_power:bus\", \"alternative\": \"emittance:grey_white\", \"what\"",
-      "\"alternative\": \"time_tag\", \"what\": null, \"told_apart_by\": \"stars in frames\", \"passes\": []}",
+      "\"alternative\": \"time_tag\", \"what\": null, \"told_apart_by\": \"stars in frames\", "
+      "\"passes\": []}",
       "\"p_value\": 1e-09, \"delta_bic\": -4990, \"held_out\": {\"before\": 5000, \"after\": 130}",
       "\"indistinguishable_from\": [\"emittance:grey_white\"]",
       "\"next_measurement\": {\"what\": \"temperature of bus.+y in the umbra\"",
