@@ -200,8 +200,10 @@ static const struct um_app_option table[] = {
      .help = "Leave these candidates out."},
     {"nuisance", "nuisance", "EFFECT[:TARGET][,sigma=S]", LIST(nuisance), .offers = UM_APP_EFFECTS,
      .default_value = "those of the scenario", .example = "--nuisance zero_point:lwir,sigma=0.05",
-     .help = "What is uncertain anyway: fitted along and never named. S is how far it may be from "
-             "the scenario's value, or free; without it the width of the effect's prior."},
+     .help =
+         "What is uncertain anyway: fitted along and never named. Without a target of each that "
+         "there is: area,sigma=0.02 is a size of every part. S is how far it may be from "
+         "the scenario's value, or free; without it the width of the effect's prior."},
     {"add", "add", "EFFECT[:TARGET][,NAME=START]...", LIST(add), .offers = UM_APP_EFFECTS,
      .example = "--add emittance:mli", .help = "An effect to fit, from START where it is given."},
     {"posterior", "posterior", .takes = UM_APP_FLAG, AT(posterior),

@@ -9,6 +9,7 @@
 #include "base/core/suggestions.h"
 #include "effects/effects.h"
 #include "evidence/diagnosis/steps_impl.h"
+#include "evidence/sensitivity/targets.h"
 #include "model/build/effect_files.h"
 #include "model/build/effects.h"
 
@@ -145,6 +146,43 @@ static enum um_status check_target(struct um_context *context, const struct aske
   return of_one ? check_clocks(context, asked->measurements, effect) : UM_OK;
 }
 
+static enum um_status add_nuisance(struct um_context *context, const struct asked *asked,
+                                   struct um_diagnosis_request *r, const char *name,
+                                   const char *target, double sigma, const char *per);
+
+/* Does a place lie in another one of the list? */
+static bool lies_in_another(const struct um_sensitivity_targets *targets, const char *place)
+{
+  for (size_t i = 0; i < targets->count; i++) {
+    size_t n = strlen(targets->name[i]);
+    if (strncmp(place, targets->name[i], n) == 0 && place[n] == '.') return true;
+  }
+  return false;
+}
+
+/* A nuisance of an effect that acts on something, without saying on what: of each that there is. */
+static enum um_status add_each(struct um_context *context, const struct asked *asked,
+                               struct um_diagnosis_request *r, const struct um_effect *effect,
+                               double sigma, const char *per)
+{
+  struct um_sensitivity_targets targets;
+  enum um_status status;
+  char *target;
+  UM_TRY(um_sensitivity_targets_of(context, asked->model, effect, &targets));
+  for (size_t i = 0; i < targets.count; i++) {
+    if (lies_in_another(&targets, targets.name[i])) continue;
+    UM_CHECK(keep(context, r, targets.name[i], &target));
+    UM_CHECK(add_nuisance(context, asked, r, effect->name, target, sigma, per));
+  }
+  status = targets.count > 0
+               ? UM_OK
+               : um_core_fail(context, UM_ERR_INPUT, "'%s' has nothing to act on in this scenario",
+                              effect->name);
+done:
+  um_sensitivity_targets_release(context, &targets);
+  return status;
+}
+
 /* One value for all sets or, where the effect acts on what is measured, one in each. */
 static enum um_status add_nuisance(struct um_context *context, const struct asked *asked,
                                    struct um_diagnosis_request *r, const char *name,
@@ -152,6 +190,8 @@ static enum um_status add_nuisance(struct um_context *context, const struct aske
 {
   const struct um_effect *effect;
   UM_TRY(find_effect(context, asked->model, name, &effect));
+  if (target == NULL && (effect->targets & UM_TARGET_GLOBAL) == 0)
+    return add_each(context, asked, r, effect, sigma, per);
   UM_TRY(check_target(context, asked, effect, target));
   if (isnan(sigma))
     UM_TRY(own_sigma(context, effect, &sigma));

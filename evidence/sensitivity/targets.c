@@ -221,14 +221,23 @@ static enum um_status fill(struct um_context *context, const struct um_model *mo
   return UM_OK;
 }
 
+enum um_status um_sensitivity_targets_of(struct um_context *context, const struct um_model *model,
+                                         const struct um_effect *effect,
+                                         struct um_sensitivity_targets *out)
+{
+  *out = (struct um_sensitivity_targets){0};
+  enum um_status status = fill(context, model, effect, out);
+  if (status != UM_OK) um_sensitivity_targets_release(context, out);
+  return status;
+}
+
 enum um_status um_sensitivity_targets_create(struct um_context *context,
                                              const struct um_sensitivity_forward *forward,
                                              const struct um_effect *effect,
                                              struct um_sensitivity_targets *out)
 {
-  *out = (struct um_sensitivity_targets){0};
-  enum um_status status = fill(context, forward->model, effect, out);
-  if (status == UM_OK) status = add_sets(context, forward, effect, out);
+  UM_TRY(um_sensitivity_targets_of(context, forward->model, effect, out));
+  enum um_status status = add_sets(context, forward, effect, out);
   if (status != UM_OK) um_sensitivity_targets_release(context, out);
   return status;
 }

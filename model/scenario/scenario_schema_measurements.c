@@ -27,7 +27,8 @@ OBJECT(noise_object, struct um_scenario_noise, "noise", "Sigma of the rows that 
 #define OF struct um_scenario_nuisance
 static const struct um_schema_field nuisance_fields[] = {
     F(effect, UM_SCHEMA_TEXT, NAME, REQUIRED, HELP("name, see `umbra list effects`")),
-    F(target, UM_SCHEMA_TEXT, NAME, HELP("part, part.side, material or band it acts on")),
+    F(target, UM_SCHEMA_TEXT, NAME,
+      HELP("part, part.side, material or band it acts on; default: each that there is")),
     F(sigma, UM_SCHEMA_NUMBER, NO_DEFAULT, POSITIVE(1e30),
       HELP("how far its parameters may be from the scenario's, in their unit, as a fraction for "
            "positive factors; default: the width of their prior")),

@@ -69,8 +69,42 @@ static void test_requests(void **state)
   um_model_destroy(context, &model);
 }
 
+/* Without a target it is of each that there is: parts without their sides, materials; one that is
+ * named behind has a width of its own. */
+static void test_of_each(void **state)
+{
+  (void)state;
+  static const char *const nuisance[] = {"area,sigma=0.02", "heat_capacity,sigma=0.1",
+                                         "emittance,sigma=0.03", "area:panel,sigma=0.01"};
+  static const struct {
+    const char *effect, *target;
+    double sigma;
+  } expected[] = {{"zero_point", "lwir", 0.02},      {"area", "bus", 0.02},
+                  {"area", "panel", 0.01},           {"heat_capacity", "bus", 0.1},
+                  {"heat_capacity", "panel", 0.1},   {"emittance", "grey_white", 0.03},
+                  {"emittance", "grey_panel", 0.03}, {"emittance", "grey_metal", 0.03}};
+  const size_t n = sizeof expected / sizeof expected[0];
+  const struct um_diagnosis_request_texts texts = {.nuisance = nuisance, .nnuisance = 4};
+  struct um_diagnosis_request r;
+  struct um_model *model;
+  assert_ok(um_model_create(context, "scene", NULL, &model));
+  assert_ok(um_diagnosis_request_make(context, model, &texts, &r));
+  assert_int_equal(r.nnuisance, n);
+  for (size_t i = 0; i < n; i++) {
+    size_t k = 0;
+    while (k < n && !(strcmp(r.nuisance[k].effect->name, expected[i].effect) == 0 &&
+                      strcmp(r.nuisance[k].target, expected[i].target) == 0))
+      k++;
+    if (k == n) fail_msg("no nuisance %s:%s", expected[i].effect, expected[i].target);
+    assert_true(r.nuisance[k].sigma == expected[i].sigma);
+  }
+  um_diagnosis_request_release(context, &r);
+  um_model_destroy(context, &model);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_requests)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_requests),
+                                     cmocka_unit_test(test_of_each)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
