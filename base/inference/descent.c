@@ -214,8 +214,10 @@ static enum um_status judge(struct um_context *context, struct um_inference_desc
 static bool is_pruned(const struct um_inference_descent *d, double predicted)
 {
   double now = d->chi2 + d->chi2_prior;
-  return d->problem->prunes && d->iterations >= UM_INFERENCE_PRUNE_STEPS &&
-         now - UM_INFERENCE_PRUNE_FACTOR * predicted > d->problem->prune_above;
+  bool sure = d->problem->sure;
+  double factor = sure ? UM_INFERENCE_PRUNE_SURE : UM_INFERENCE_PRUNE_FACTOR;
+  return d->problem->prunes && (sure || d->iterations >= UM_INFERENCE_PRUNE_STEPS) &&
+         now - factor * predicted > d->problem->prune_above;
 }
 
 /* One step, or the end. */

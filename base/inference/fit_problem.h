@@ -46,6 +46,8 @@ struct um_inference_fit_problem {
    * less is never reached. The fit ends, as not converged, when after two steps four times its
    * predicted reduction would not bring it there. */
   bool prunes;
+  bool sure; /* observations are known to be linear in what is free: it prunes before the first
+                step, by UM_INFERENCE_PRUNE_SURE times the reduction */
   double prune_above;
   /* NULL: residuals over sigma are white noise. Else chi-square is r'C^-1 r of it; borrowed */
   struct um_inference_noise *noise;

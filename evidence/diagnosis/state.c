@@ -132,6 +132,15 @@ static double of_held(const struct um_diagnosis_work *work, const struct um_diag
   return sum;
 }
 
+/* Has it a heater that is on all the time (always_on.c)? It moves all along its signature: that was
+ * looked at with ten times the power. */
+static bool is_held(const struct um_diagnosis_state *state)
+{
+  bool held = false;
+  for (size_t b = 0; b < state->nblock; b++) held = held || state->block[b].nheld > 0;
+  return held;
+}
+
 /* The chi-square of observations and priors that makes this BIC. */
 static double chi2_of_bic(const struct um_diagnosis_work *work,
                           const struct um_diagnosis_state *state, double bic)
@@ -202,6 +211,7 @@ enum um_status um_diagnosis_state_fit(struct um_context *context,
                                              .iterations_max = iterations(work, state),
                                              .noise = work->noise,
                                              .prunes = work->noise == NULL && isfinite(prune_above),
+                                             .sure = is_held(state),
                                              .prune_above = chi2_of_bic(work, state, prune_above)};
   UM_CHECK(um_inference_fit_create(context, &problem, &fit));
   if (work->noise != NULL) UM_CHECK(judge_by_own_noise(context, work, fit));

@@ -209,6 +209,37 @@ static void whiten(const struct linear *l, double column[4][ROWS], double y[ROWS
 static const struct um_inference_fit_parameter FREE = {0.0, -INFINITY, INFINITY,
                                                        0.0, INFINITY,  0.1};
 
+/* What is known to be linear is pruned without an evaluation, whatever the length of its column;
+ * where it comes below what is asked, it is fitted as ever. */
+static void test_sure(void **state)
+{
+  struct um_context *c = *state;
+  struct linear l = linear_model(1);
+  const struct um_inference_fit_parameter p = FREE;
+  double none[ROWS] = {0.0}, half[ROWS], first = 0.0;
+  struct um_inference_fit *fit;
+  struct um_inference_fit_problem problem = problem_of(&l, &p);
+  assert_int_equal(um_inference_fit_create(c, &problem, &fit), UM_OK);
+  double least = fit->chi2, x = fit->x[0];
+  um_inference_fit_destroy(c, &fit);
+  for (size_t i = 0; i < ROWS; i++) {
+    half[i] = 0.5 * l.column[0][i];
+    first += pow(l.y[i] / l.sigma[i], 2);
+  }
+  problem.value = none;
+  problem.jacobian = half;
+  problem.prunes = problem.sure = true;
+  for (int below = 0; below < 2; below++) {
+    l.calls = 0;
+    problem.prune_above = below ? least + 0.5 : least - 0.1 * (first - least);
+    assert_int_equal(um_inference_fit_create(c, &problem, &fit), UM_OK);
+    assert_int_equal(fit->converged, below);
+    assert_int_equal(l.calls > 0, below);
+    if (below) assert_close(fit->x[0], x, 1e-6);
+    um_inference_fit_destroy(c, &fit);
+  }
+}
+
 /* One parameter of a prior in a linear model: posterior precision w + 1/s^2, mean by precisions
  * (conjugate normal). Three parameters: the normal equations. Tolerance: one Gauss-Newton step with
  * differences of a linear model, rounding over the step. */
@@ -578,13 +609,19 @@ static void test_memory(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_certified),   cmocka_unit_test(test_beaten),
-      cmocka_unit_test(test_priors),      cmocka_unit_test(test_bounds),
-      cmocka_unit_test(test_evaluations), cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_refused),     cmocka_unit_test(test_undetermined),
-      cmocka_unit_test(test_held_out),    cmocka_unit_test(test_held_out_unknown),
-      cmocka_unit_test(test_memory),      cmocka_unit_test(test_packed),
-      cmocka_unit_test(test_at_once)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(test_certified),
+                                     cmocka_unit_test(test_beaten),
+                                     cmocka_unit_test(test_sure),
+                                     cmocka_unit_test(test_priors),
+                                     cmocka_unit_test(test_bounds),
+                                     cmocka_unit_test(test_evaluations),
+                                     cmocka_unit_test(test_refusals),
+                                     cmocka_unit_test(test_refused),
+                                     cmocka_unit_test(test_undetermined),
+                                     cmocka_unit_test(test_held_out),
+                                     cmocka_unit_test(test_held_out_unknown),
+                                     cmocka_unit_test(test_memory),
+                                     cmocka_unit_test(test_packed),
+                                     cmocka_unit_test(test_at_once)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
