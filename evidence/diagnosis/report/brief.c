@@ -160,17 +160,25 @@ static void say_next(const struct um_diagnosis *d, char out[UM_DIAGNOSIS_SUMMARY
         (d->next_of[i].told_apart_by != NULL && next == NULL))
       next = &d->next_of[i];
   if (next == NULL) return;
-  if (next->what != NULL) um_diagnosis_report_next_text(next, text);
-  snprintf(out, UM_DIAGNOSIS_SUMMARY_MAX, "To tell %s from %s%s: %s.",
-           d->candidates->candidate[d->step[next->step].candidate].name,
-           d->candidates->candidate[next->candidate].name, next->what != NULL ? ", measure" : "",
-           next->what != NULL ? text : behind_names(next->told_apart_by));
   const struct um_diagnosis_pass *pass = um_diagnosis_report_best_pass(next);
-  size_t n = strlen(out);
-  if (pass == NULL) return;
-  um_diagnosis_report_pass_text(pass, text);
-  snprintf(out + n, UM_DIAGNOSIS_SUMMARY_MAX - n, " Of %zu passes the best is %s.", next->npass,
-           text);
+  size_t n = (size_t)snprintf(out, UM_DIAGNOSIS_SUMMARY_MAX, "To tell %s from %s",
+                              d->candidates->candidate[d->step[next->step].candidate].name,
+                              d->candidates->candidate[next->candidate].name);
+  if (n >= UM_DIAGNOSIS_SUMMARY_MAX) return;
+  if (pass != NULL) { /* who asks for passes reads of them first */
+    um_diagnosis_report_pass_text(pass, text);
+    n += (size_t)snprintf(out + n, UM_DIAGNOSIS_SUMMARY_MAX - n, ", of %zu passes the best is %s",
+                          next->npass, text);
+  }
+  if (n >= UM_DIAGNOSIS_SUMMARY_MAX) return;
+  const char *words = next->told_apart_by != NULL ? behind_names(next->told_apart_by) : NULL;
+  if (next->what != NULL) {
+    um_diagnosis_report_next_text(next, text);
+    words = text;
+  }
+  const char *how = next->what == NULL ? ": " : pass != NULL ? "; or measure: " : ", measure: ";
+  snprintf(out + n, UM_DIAGNOSIS_SUMMARY_MAX - n, "%s%s.", words != NULL ? how : "",
+           words != NULL ? words : "");
 }
 
 /* ---- all ---- */

@@ -287,6 +287,7 @@ static void remains(struct work *w)
 static enum um_status next(struct work *w)
 {
   static const struct um_page_figure figure = {.id = "next", .title = "What would tell them apart"};
+  static const char pass_of[] = "pass of ";
   const struct um_diagnosis *d = w->d;
   const char **winner, **from, **what;
   size_t n = 0, most = d->nnext;
@@ -299,11 +300,13 @@ static enum um_status next(struct work *w)
     const struct um_diagnosis_next *one = &d->next_of[i];
     for (size_t k = 0; k <= one->npass; k++) {
       char *text;
-      UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_NEXT_TEXT, &text));
+      UM_TRY(UM_PAGE_ROOM(w->p, UM_DIAGNOSIS_NEXT_TEXT + sizeof pass_of, &text));
+      size_t prefix = k == 0 ? 0 : strlen(pass_of);
+      memcpy(text, pass_of, prefix);
       if (k == 0)
         um_diagnosis_report_next_text(one, text);
       else
-        um_diagnosis_report_pass_text(&one->pass[k - 1], text); /* "T over Graz, .." */
+        um_diagnosis_report_pass_text(&one->pass[k - 1], text + prefix);
       winner[n] = d->candidates->candidate[d->step[one->step].candidate].name;
       from[n] = d->candidates->candidate[one->candidate].name;
       what[n++] = text;

@@ -182,6 +182,29 @@ static void test_group(void **state)
              " --exclude internal_power:bus --out 'out/my pass-without'\n");
   has_not(brief, "Missing");
   um_core_free(context, brief);
+  /* who asks for passes reads of the best one first */
+  struct um_diagnosis_pass pass[2] = {{.station = "Graz",
+                                       .rise = d.next_of[0].from,
+                                       .elevation = 0.5,
+                                       .sun_elevation = -0.2,
+                                       .of = "vis",
+                                       .sigmas = 1.5,
+                                       .seconds = NAN},
+                                      {.station = "",
+                                       .rise = d.next_of[0].from,
+                                       .elevation = 1.0,
+                                       .sun_elevation = -0.1,
+                                       .of = "lwir",
+                                       .sigmas = 7.25,
+                                       .from = d.next_of[0].from + 60.0,
+                                       .seconds = 42.0}};
+  d.next_of[0].pass = pass;
+  d.next_of[0].npass = 2;
+  brief = brief_of(&d);
+  says(brief, "To tell internal_power:bus from emittance:grey_white, of 2 passes the best is 20");
+  says(brief, ", up to 57 deg, Sun at -6 deg: 7.2 sigma in lwir, 5 within 42 s from 20");
+  um_core_free(context, brief);
+  d.next_of[0].npass = 0;
   /* one folder is enough */
   assert_ok(um_diagnosis_report_brief(context, &d, "umbra diagnose a --out 'my b' c --out=d -o f",
                                       "e", &brief));
