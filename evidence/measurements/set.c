@@ -14,7 +14,7 @@ void um_compare_measurements_destroy(struct um_context *context,
   if (measurements == NULL || *measurements == NULL) return;
   struct um_compare_measurements *m = *measurements;
   for (size_t i = 0; i < m->nchannel; i++) UM_FREE(context, m->channel[i].of, m->channel[i].label);
-  for (size_t i = 0; i < m->nfile; i++) 
+  for (size_t i = 0; i < m->nfile; i++)
     UM_FREE(context, m->file[i].path, m->file[i].name, m->file[i].station);
   for (size_t i = 0; i < m->ntrack; i++) um_core_free(context, m->track[i]);
   for (size_t i = 0; i < m->nstation; i++) um_core_free(context, m->station[i]);
