@@ -206,7 +206,7 @@ static void put_override(struct line *l)
   }
   for (int depth = 0;; depth++) {
     const struct um_schema_field *f = &object->fields[draw(l, object->nfield)];
-    bool inside = f->object != NULL && draw(l, 5) > 0;
+    bool inside = f->object != NULL && f->object->nfield > 0 && draw(l, 5) > 0;
     put(l, f->key);
     if (inside && (f->type == UM_SCHEMA_LIST || f->type == UM_SCHEMA_DICT)) {
       put(l, ".");
