@@ -245,9 +245,15 @@ static enum um_status look_with(struct um_context *context, const struct um_diag
   static const struct um_model_instants window = {.count = 0};
   UM_TRY(
       um_sensitivity_forward_run(context, work->forward, addition, n, &window, &looks->run[which]));
-  if (looks->coming->npass == 0) return UM_OK;
-  return um_sensitivity_forward_run(context, work->forward, addition, n, &looks->coming->instants,
-                                    &looks->ahead[which]);
+  if (looks->coming->npass == 0 || (which > 0 && looks->ahead[0].result == NULL)) return UM_OK;
+  enum um_status status = um_sensitivity_forward_run(
+      context, work->forward, addition, n, &looks->coming->instants, &looks->ahead[which]);
+  if (status != UM_ERR_INPUT && status != UM_ERR_REFUSED && status != UM_ERR_NUMERIC) return status;
+  /* a table of the attitude may end before they come: the verdict stands without them */
+  um_core_log(context, UM_LOG_WARNING, "passes to come are not looked at: %s",
+              um_core_message(context));
+  um_core_message_clear(context);
+  return UM_OK;
 }
 
 static void release_looks(struct um_context *context, int which, struct looks *looks)
@@ -280,7 +286,7 @@ static enum um_status find_one(struct um_context *context, const struct um_diagn
     replace(work, state, step, alternative, addition);
     UM_CHECK(look_with(context, work, addition, state->nblock, 1, looks));
     UM_CHECK(look(context, work, looks->run, next));
-    if (looks->coming->npass > 0)
+    if (looks->ahead[1].result != NULL)
       UM_CHECK(um_diagnosis_coming_tell(context, work->forward, looks->coming, looks->ahead, next));
   }
   if (next->what == NULL)

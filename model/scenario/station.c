@@ -1,3 +1,4 @@
+/* Stations by name: observer.station, then observer.stations. */
 #include "model/scenario/station.h"
 
 #include <string.h>

@@ -155,6 +155,61 @@ static void what_a_pass_tells(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* The scenario with another text in place of a part of it, into its file. */
+static void write_with(const char *what, const char *by, const char *also, const char *by_too)
+{
+  char text[sizeof scenario + 512], *at;
+  snprintf(text, sizeof text, "%s", scenario);
+  for (int k = 0; k < 2; k++) {
+    const char *old = k == 0 ? what : also, *next = k == 0 ? by : by_too;
+    at = strstr(text, old);
+    assert_non_null(at);
+    memmove(at + strlen(next), at + strlen(old), strlen(at + strlen(old)) + 1);
+    memcpy(at, next, strlen(next));
+  }
+  FILE *file = fopen(path, "w");
+  assert_non_null(file);
+  fputs(text, file);
+  assert_int_equal(fclose(file), 0);
+}
+
+/* An attitude that is not known so far ahead costs the passes, with a warning, and not the verdict.
+ */
+static void attitude_ends(void **state)
+{
+  (void)state;
+  static const char *const only[] = {"internal_power", "stored_heat"};
+  static const char *const at_station[] = {STATION};
+  const struct um_model_options here = {.overrides = at_station, .noverride = 1};
+  const struct um_diagnosis_options options = {
+      .candidates = {.only = only, .nonly = 2}, .passes = 1, .no_heat = true};
+  struct um_sensitivity_forward *f;
+  struct um_sensitivity_candidates *candidates;
+  struct um_diagnosis *d;
+  FILE *table = fopen("coming_attitude.csv", "w");
+  assert_non_null(table);
+  fputs("time_utc,q0,q1,q2,q3\n2026-02-28T18:00:00Z,1,0,0,0\n2026-03-01T00:15:00Z,1,0,0,0\n",
+        table);
+  assert_int_equal(fclose(table), 0);
+  write_with("attitude: [{lvlh: {}}]", "attitude: [{table: coming_attitude.csv}]",
+             "2026-03-02T00:10:00Z", "2026-03-01T00:10:00Z");
+  struct um_compare_measurements *m = telemetry();
+  OK(um_sensitivity_forward_create(context, path, &here, m, UM_VARIANT_TIGHT, &f));
+  OK(um_sensitivity_candidates_create(context, f, NULL, 0, &options.candidates, &candidates));
+  OK(um_diagnosis_create(context, f, candidates, &options, &d));
+  assert_int_equal(d->verdict, UM_VERDICT_NOT_IDENTIFIABLE);
+  assert_true(d->nnext >= 1);
+  assert_true(isfinite(d->next_of[0].from)); /* the scenario's own window was looked at */
+  assert_int_equal(d->next_of[0].npass, 0);
+  assert_string_equal(um_core_message(context), "");
+  um_diagnosis_destroy(context, &d);
+  um_sensitivity_candidates_destroy(context, &candidates);
+  um_sensitivity_forward_destroy(context, &f);
+  um_compare_measurements_destroy(context, &m);
+  remove("coming_attitude.csv");
+  write_with("name: box", "name: box", "name: box", "name: box");
+}
+
 static void without_a_station(void **state)
 {
   (void)state;
@@ -179,6 +234,7 @@ static void without_a_station(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(what_a_pass_tells),
+                                     cmocka_unit_test(attitude_ends),
                                      cmocka_unit_test(without_a_station)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
