@@ -438,7 +438,7 @@ enum umbra_confidence {
   UMBRA_CERTAIN,      /* no other comes near */
   UMBRA_ONE_OF_GROUP, /* it or one of the alternatives that are tied with it */
   UMBRA_SMALL,        /* it explains so little that what it is cannot be known */
-  UMBRA_UNCERTAIN,    /* none comes near, but its value is hardly off nothing */
+  UMBRA_UNCERTAIN,    /* none comes near, but the summary says why it may be wrong */
   UMBRA_CHOSEN        /* the caller said it */
 };
 

@@ -233,6 +233,7 @@ static enum um_status conclude(struct um_context *context, const struct um_diagn
                                const struct um_diagnosis_state *bare, struct um_diagnosis *d)
 {
   UM_TRY(um_diagnosis_scatter_describe(context, work, state, d));
+  UM_TRY(um_diagnosis_sceptic_ask(context, work, state, d));
   d->verdict = um_diagnosis_judge(state, d);
   if (d->verdict == UM_VERDICT_UNEXPLAINED || d->weighed)
     UM_TRY(um_diagnosis_weigh_heat(context, work, state, bare, d));
@@ -241,7 +242,6 @@ static enum um_status conclude(struct um_context *context, const struct um_diagn
   um_diagnosis_halves_assign(bare, d);
   um_diagnosis_confidence_assign(d);
   um_diagnosis_probabilities_assign(bare, d);
-  UM_TRY(um_diagnosis_sceptic_ask(context, work, state, d));
   UM_TRY(look_at_residual(context, work, bare, d));
   if (!work->options->no_next) UM_TRY(um_diagnosis_next_find(context, work, state, d));
   UM_TRY(um_diagnosis_missed_find(context, work, d));

@@ -42,8 +42,7 @@ enum um_diagnosis_confidence {
   UM_CONFIDENCE_CERTAIN,      /* no other comes within UM_DIAGNOSIS_EVIDENCE of its BIC */
   UM_CONFIDENCE_ONE_OF_GROUP, /* it or one of those that do as well */
   UM_CONFIDENCE_SMALL,        /* one of several, and the step explains too little to decide */
-  UM_CONFIDENCE_UNCERTAIN     /* no other comes near, but its value is within UM_DIAGNOSIS_SIGMAS of
-                                   no effect */
+  UM_CONFIDENCE_UNCERTAIN     /* no other comes near, but there is a doubt (doubt.h) */
 };
 const char *um_diagnosis_confidence_name(enum um_diagnosis_confidence confidence);
 

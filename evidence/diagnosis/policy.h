@@ -50,6 +50,8 @@
 #define UM_DIAGNOSIS_LARGE_TEMPERATURE 2.0
 #define UM_DIAGNOSIS_LARGE_LIGHT       0.05
 #define UM_DIAGNOSIS_LARGE_SHARE       0.3
+/* Times sigma [1] from which on a scatter is said. Derived: less is 1 by two digits. */
+#define UM_DIAGNOSIS_SCATTERS 1.05
 /* Times sigma [1] that measurements may scatter. HAND: who states a third of his noise does not
  * know it. */
 #define UM_DIAGNOSIS_LARGE_SCALE 3.0
@@ -74,6 +76,9 @@
 /* Distance of a value from where the effect does nothing [sigma], within which it is uncertain.
  * Convention: 4.6 % by chance. */
 #define UM_DIAGNOSIS_SIGMAS 2.0
+/* Probability [1] against a mere discrepancy, below which an effect is uncertain. HAND: one of a
+ * hundred may be wrong. */
+#define UM_DIAGNOSIS_CERTAIN 0.99
 /* Distance from the usual [prior widths] from which on the prior may keep a value out, and beyond
  * which a value is implausible. Convention: one and three sigma. */
 #define UM_DIAGNOSIS_UNUSUAL     1.0

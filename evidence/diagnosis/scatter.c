@@ -95,7 +95,7 @@ enum um_status um_diagnosis_scatter_describe(struct um_context *context,
     struct um_diagnosis_scatter *to = &d->scatter[d->nscatter];
     *to = (struct um_diagnosis_scatter){.channel = c};
     fill(work, &own, d, discrepancy, to);
-    d->nscatter += to->scale > 1.0 || to->along != NULL;
+    d->nscatter += to->scale >= UM_DIAGNOSIS_SCATTERS || to->along != NULL;
   }
   for (size_t j = 0; j < f->nobservation; j++)
     if (own.factor[j] > 1.0) d->outlier[d->noutlier++] = work->forward->observations.row[j];

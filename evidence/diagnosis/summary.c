@@ -41,7 +41,7 @@ static void add_scatter(struct um_diagnosis_words *text, const struct um_diagnos
       add(text, ", along %s", s->along);
       between = "; ";
     }
-    if (!(s->scale > 1.0)) continue;
+    if (s->scale < UM_DIAGNOSIS_SCATTERS) continue;
     add(text, "%s", between);
     add_channel(text, d, s->channel);
     add(text, " scatters %.2g times its sigma", s->scale);
@@ -179,7 +179,7 @@ static size_t say_classes(struct um_diagnosis_words *text, const struct um_diagn
                                    "One of these, not known which: ", "And one of these: ", left);
   more += um_diagnosis_words_class(
       text, d, UM_CONFIDENCE_UNCERTAIN,
-      "Needed, but within two sigmas of nothing: ", "Within two sigmas of nothing, too: ", left);
+      "Needed, but not certain: ", "Not certain, too: ", left);
   more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_SMALL,
                                    "Small, and what it is cannot be known: ", "Small, too: ", left);
   return more;

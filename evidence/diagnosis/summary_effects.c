@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "evidence/diagnosis/doubt.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/summary_impl.h"
 #include "evidence/diagnosis/value_text.h"
@@ -163,6 +164,7 @@ static void add_effect(struct um_diagnosis_words *words, const struct um_diagnos
   add_use(words, d, a->effect, a->target, a->value, d->addition_sigma[i],
           confidence != UM_CONFIDENCE_ONE_OF_GROUP);
   if (confidence == UM_CONFIDENCE_CERTAIN) add(words, "; certain");
+  if (confidence == UM_CONFIDENCE_UNCERTAIN) add(words, "; %s", um_diagnosis_doubt_of(d, step));
   if (step != NULL && step->nalternative > 0)
     add_probability(words, step->alternative[0].probability);
   add(words, ")");

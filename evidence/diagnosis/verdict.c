@@ -1,6 +1,7 @@
 /* The verdict on a diagnosis. */
 #include <math.h>
 
+#include "evidence/diagnosis/doubt.h"
 #include "evidence/diagnosis/policy.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
@@ -32,32 +33,6 @@ bool um_diagnosis_has_group(const struct um_diagnosis_step *step)
   return false;
 }
 
-/* Factor on sigmas where observations scatter more than stated: the root of reduced chi-square.
- * Where they scatter less it is 1, and nothing is made more certain. */
-static double scatter(const struct um_diagnosis *d)
-{
-  return d->weighed ? 1.0 : sqrt(fmax(1.0, d->chi2_reduced_after));
-}
-
-/* Whether every tested parameter of the effect is near the value where it does nothing. Sigma is
- * marginal: everything else may move. A switch has no such value. A parameter at the end of its
- * range has no sigma. */
-static bool is_near_nothing(const struct um_diagnosis *d, const struct um_diagnosis_step *step)
-{
-  const struct um_sensitivity_candidate *c =
-      d->candidates == NULL ? NULL : &d->candidates->candidate[step->candidate];
-  if (c == NULL || c->is_switch) return false;
-  for (size_t k = 0; k < c->ncolumn; k++) {
-    size_t p = c->parameter[k];
-    const struct um_effect_parameter *of = &c->effect->parameters[p];
-    double value = step->addition.value[p];
-    double away = um_effect_transformed(of, value) - um_effect_transformed(of, c->null_value[p]);
-    double sigma = scatter(d) * step->sigma[p] / um_effect_transformed_slope(of, value);
-    if (isnan(sigma) ? away != 0.0 : fabs(away) > UM_DIAGNOSIS_SIGMAS * sigma) return false;
-  }
-  return c->ncolumn > 0;
-}
-
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
                                              struct um_diagnosis *d)
 {
@@ -75,7 +50,7 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
     if (um_diagnosis_has_group(&d->step[s]) ||
-        (!d->step[s].removed && is_near_nothing(d, &d->step[s])))
+        um_diagnosis_doubt_of(d, &d->step[s]) != NULL)
       return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
 }
@@ -101,7 +76,8 @@ void um_diagnosis_confidence_assign(struct um_diagnosis *d)
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];
     if (!is_matched(step, scale))
-      step->confidence = is_near_nothing(d, step) ? UM_CONFIDENCE_UNCERTAIN : UM_CONFIDENCE_CERTAIN;
+      step->confidence = um_diagnosis_doubt_of(d, step) != NULL ? UM_CONFIDENCE_UNCERTAIN
+                                                                : UM_CONFIDENCE_CERTAIN;
     else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
       step->confidence = UM_CONFIDENCE_SMALL;
     else

@@ -34,14 +34,14 @@ static void add(struct text *text, const char *format, ...)
 }
 
 /* Why an effect is not certain: " (drawn) or emittance:white or 2 more, 1 not tried" of what cannot
- * be told from it, " (within two sigmas of no effect)". */
+ * be told from it, " (not certain)". */
 static void add_doubt(struct text *text, const struct um_diagnosis *d,
                       const struct um_diagnosis_step *step)
 {
   size_t n = 0, not_tried = 0;
   if (step->confidence == UM_CONFIDENCE_CERTAIN) return;
   if (step->confidence == UM_CONFIDENCE_UNCERTAIN) {
-    add(text, " (within two sigmas of no effect)");
+    add(text, " (not certain)");
     return;
   }
   for (size_t i = 1; i < step->nalternative; i++) {

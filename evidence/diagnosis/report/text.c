@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "evidence/comparison/metrics.h"
+#include "evidence/diagnosis/doubt.h"
 #include "evidence/diagnosis/report/brief.h"
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/report_impl.h"
@@ -153,10 +154,12 @@ static void print_alternatives(FILE *file, const struct um_diagnosis *d,
                                const struct um_diagnosis_step *step)
 {
   static const char *const label[] = {"certain", "one of a group",
-                                      "small, what it is cannot be known",
-                                      "needed, but within two sigmas of no effect"};
+                                      "small, what it is cannot be known", "needed, not certain"};
   const struct um_diagnosis_alternative *winner = &step->alternative[0];
-  if (!step->removed) fprintf(file, "  %s\n", label[step->confidence]);
+  const char *doubt = um_diagnosis_doubt_of(d, step);
+  bool said = step->confidence == UM_CONFIDENCE_UNCERTAIN && doubt != NULL;
+  if (!step->removed)
+    fprintf(file, "  %s%s%s\n", label[step->confidence], said ? ": " : "", said ? doubt : "");
   for (size_t r = 1; r < step->nalternative; r++) {
     const struct um_diagnosis_alternative *alternative = &step->alternative[r];
     double behind = alternative->bic - winner->bic;

@@ -3,6 +3,7 @@
 
 #include "base/core/json.h"
 #include "evidence/comparison/figures.h"
+#include "evidence/diagnosis/doubt.h"
 #include "evidence/diagnosis/report/channels.h"
 #include "evidence/diagnosis/report/report_impl.h"
 
@@ -125,6 +126,8 @@ static enum um_status json_step(struct um_context *context, FILE *file,
   um_diagnosis_report_json_parameters(file, d, step->addition.effect, step->addition.target,
                                       step->addition.value, step->sigma);
   um_core_json_text(file, ",\n     ", "standing", um_diagnosis_confidence_name(step->confidence));
+  bool uncertain = step->confidence == UM_CONFIDENCE_UNCERTAIN;
+  um_core_json_text(file, ", ", "doubt", uncertain ? um_diagnosis_doubt_of(d, step) : NULL);
   um_core_json_field(file, ",\n     ", "p_value", step->p_value);
   um_core_json_field(file, ", ", "delta_bic", step->delta_bic);
   um_core_json_field(file, ", \"held_out\": {", "before", step->held_out_before);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "evidence/diagnosis/diagnosis_impl.h"
+#include "evidence/diagnosis/doubt.h"
 #include "evidence/diagnosis/state_impl.h"
 #include "evidence/diagnosis/steps_impl.h"
 #include "evidence/diagnosis/trials_impl.h"
@@ -92,6 +93,42 @@ static void near_nothing_is_not_certain(void **state)
   one_make(&o, 0.0, false, 0.0, NAN);
   o.candidate.is_switch = true;
   assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
+}
+
+/* Odds of the effect are 0.35 to 0.5, and exp(-dBIC / 2): 99 are reached at a gain of 9.9. White
+ * noise has been tested by p. */
+static void near_a_discrepancy_is_not_certain(void **state)
+{
+  (void)state;
+  struct one o;
+  one_make(&o, 0.0, false, 5.0, 1.0);
+  o.d.final_whiteness.chi2 = o.d.final_whiteness.dof = 100.0;
+  o.step.delta_bic = -9.8;
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
+  o.d.weighed = true;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
+  assert_non_null(strstr(um_diagnosis_doubt_of(&o.d, &o.step), "an error of the model"));
+  o.step.delta_bic = -10.0;
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
+  struct um_diagnosis_alternative tested[10] = {0}; /* ten candidates share the prior */
+  o.d.ranking = tested;
+  o.d.nranking = 10;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
+  o.step.delta_bic = -14.6;
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
+}
+
+/* What 13 of 25 small changes alter is not certain; 12 of them may. */
+static void what_hangs_on_little_is_not_certain(void **state)
+{
+  (void)state;
+  struct one o;
+  one_make(&o, 0.0, false, 5.0, 1.0);
+  o.d.sceptic = (struct um_diagnosis_sceptic){.asked = true, .variations = 25, .flips = 12};
+  assert_judged(&o, UM_VERDICT_FOUND, UM_CONFIDENCE_CERTAIN);
+  o.d.sceptic.flips = 13;
+  assert_judged(&o, UM_VERDICT_NOT_IDENTIFIABLE, UM_CONFIDENCE_UNCERTAIN);
+  assert_non_null(strstr(um_diagnosis_doubt_of(&o.d, &o.step), "small changes"));
 }
 
 /* One that was not fitted leaves the winner uncertain, and is called not tried. */
@@ -369,6 +406,8 @@ static void what_is_not_tried_is_named(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(near_nothing_is_not_certain),
+                                     cmocka_unit_test(near_a_discrepancy_is_not_certain),
+                                     cmocka_unit_test(what_hangs_on_little_is_not_certain),
                                      cmocka_unit_test(not_tried_is_no_tie),
                                      cmocka_unit_test(effect_leads_its_alternatives),
                                      cmocka_unit_test(ties_are_fitted),

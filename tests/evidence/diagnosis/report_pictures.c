@@ -47,7 +47,7 @@ static void test_titles(void **state)
       {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_ONE_OF_GROUP, true,
        "not identifiable: internal_power of bus, 1 not tried"},
       {UM_VERDICT_NOT_IDENTIFIABLE, 1, false, UM_CONFIDENCE_UNCERTAIN, false,
-       "not identifiable: internal_power of bus (within two sigmas of no effect)"},
+       "not identifiable: internal_power of bus (not certain)"},
       {UM_VERDICT_NOT_IDENTIFIABLE, 0, false, UM_CONFIDENCE_CERTAIN, false,
        "not identifiable, nothing added: a nuisance took it up"},
       {UM_VERDICT_UNEXPLAINED, 1, false, UM_CONFIDENCE_CERTAIN, false,
