@@ -311,8 +311,8 @@ bool um_diagnosis_is_noise(const struct um_inference_whiteness *whiteness);
 /* Whether a step that was not removed has alternatives that the observations, without priors,
  * cannot tell from its winner. */
 bool um_diagnosis_has_group(const struct um_diagnosis_step *step);
-/* The verdict, once the final state is kept in d and the sceptic was asked. state: with the fitted nuisances. Sets
- * d->allowance.
+/* The verdict, once the final state is kept in d and the sceptic was asked. state: with the fitted
+ * nuisances. Sets d->allowance.
  */
 enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *state,
                                              struct um_diagnosis *d);

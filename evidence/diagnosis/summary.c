@@ -177,9 +177,8 @@ static size_t say_classes(struct um_diagnosis_words *text, const struct um_diagn
   if (d->verdict == UM_VERDICT_UNEXPLAINED) return more;
   more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_ONE_OF_GROUP,
                                    "One of these, not known which: ", "And one of these: ", left);
-  more += um_diagnosis_words_class(
-      text, d, UM_CONFIDENCE_UNCERTAIN,
-      "Needed, but not certain: ", "Not certain, too: ", left);
+  more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_UNCERTAIN,
+                                   "Needed, but not certain: ", "Not certain, too: ", left);
   more += um_diagnosis_words_class(text, d, UM_CONFIDENCE_SMALL,
                                    "Small, and what it is cannot be known: ", "Small, too: ", left);
   return more;

@@ -49,8 +49,7 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
     return UM_VERDICT_UNEXPLAINED;
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
-    if (um_diagnosis_has_group(&d->step[s]) ||
-        um_diagnosis_doubt_of(d, &d->step[s]) != NULL)
+    if (um_diagnosis_has_group(&d->step[s]) || um_diagnosis_doubt_of(d, &d->step[s]) != NULL)
       return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
 }
@@ -76,8 +75,8 @@ void um_diagnosis_confidence_assign(struct um_diagnosis *d)
   for (size_t s = 0; s < d->nstep; s++) {
     struct um_diagnosis_step *step = &d->step[s];
     if (!is_matched(step, scale))
-      step->confidence = um_diagnosis_doubt_of(d, step) != NULL ? UM_CONFIDENCE_UNCERTAIN
-                                                                : UM_CONFIDENCE_CERTAIN;
+      step->confidence =
+          um_diagnosis_doubt_of(d, step) != NULL ? UM_CONFIDENCE_UNCERTAIN : UM_CONFIDENCE_CERTAIN;
     else if (-step->delta_bic < scale * UM_DIAGNOSIS_SMALL)
       step->confidence = UM_CONFIDENCE_SMALL;
     else
