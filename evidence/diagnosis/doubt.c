@@ -51,9 +51,10 @@ static bool hangs_on_little(const struct um_diagnosis *d, const struct um_diagno
 const char *um_diagnosis_doubt_of(const struct um_diagnosis *d,
                                   const struct um_diagnosis_step *step)
 {
-  if (step->removed || d->candidates == NULL) return NULL;
+  if (d->candidates == NULL) return NULL;
   if (is_near_nothing(d, step)) return "its value is within two sigmas of nothing";
   if (is_near_discrepancy(d, step)) return "an error of the model would explain nearly as much";
-  if (hangs_on_little(d, step)) return "most small changes of the data would alter what is named";
+  if (hangs_on_little(d, step))
+    return "most small changes of data, priors or noise would alter what is named";
   return NULL;
 }

@@ -164,9 +164,9 @@ static void add_effect(struct um_diagnosis_words *words, const struct um_diagnos
   add_use(words, d, a->effect, a->target, a->value, d->addition_sigma[i],
           confidence != UM_CONFIDENCE_ONE_OF_GROUP);
   if (confidence == UM_CONFIDENCE_CERTAIN) add(words, "; certain");
-  if (confidence == UM_CONFIDENCE_UNCERTAIN) add(words, "; %s", um_diagnosis_doubt_of(d, step));
   if (step != NULL && step->nalternative > 0)
     add_probability(words, step->alternative[0].probability);
+  if (confidence == UM_CONFIDENCE_UNCERTAIN) add(words, "; %s", um_diagnosis_doubt_of(d, step));
   add(words, ")");
   if (step == NULL) return;
   if (confidence == UM_CONFIDENCE_ONE_OF_GROUP) add_group(words, d, step);

@@ -49,7 +49,8 @@ enum um_diagnosis_verdict um_diagnosis_judge(const struct um_diagnosis_state *st
     return UM_VERDICT_UNEXPLAINED;
   d->allowance = !noise;
   for (size_t s = 0; s < d->nstep; s++)
-    if (um_diagnosis_has_group(&d->step[s]) || um_diagnosis_doubt_of(d, &d->step[s]) != NULL)
+    if (um_diagnosis_has_group(&d->step[s]) ||
+        (!d->step[s].removed && um_diagnosis_doubt_of(d, &d->step[s]) != NULL))
       return UM_VERDICT_NOT_IDENTIFIABLE;
   return UM_VERDICT_FOUND;
 }
