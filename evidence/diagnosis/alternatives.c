@@ -47,11 +47,12 @@ static enum um_status note(struct um_context *context, const struct um_diagnosis
   return UM_OK;
 }
 
-/* Fit alternatives [n] at once. Fits are pruned where they cannot come near the one ahead of all,
- * as it is now (NULL: none is): that does not depend on which of them ends first. */
+/* Fit alternatives [n] at once. Fits are pruned where they cannot come within `near` [BIC] of the
+ * one ahead of all, as it is now (NULL: none is): that does not depend on which of them ends
+ * first. */
 static enum um_status try_at_once(struct um_context *context, const struct um_diagnosis_work *work,
                                   const struct um_diagnosis_state *state,
-                                  const struct um_diagnosis_alternative *ahead,
+                                  const struct um_diagnosis_alternative *ahead, double near,
                                   struct um_diagnosis_alternative *const *alternative, size_t n,
                                   struct um_diagnosis_state *best)
 {
@@ -62,7 +63,7 @@ static enum um_status try_at_once(struct um_context *context, const struct um_di
   for (size_t i = 0; i < n; i++)
     trial[i] = (struct um_diagnosis_trial){.candidate = {alternative[i]->candidate},
                                            .ncandidate = 1,
-                                           .prune_above = lead + UM_DIAGNOSIS_NEXT_BEST,
+                                           .prune_above = lead + near,
                                            .lead = lead};
   UM_CHECK(um_diagnosis_trials_fit(context, work, state, trial, n));
   for (size_t i = 0; i < n; i++) UM_CHECK(note(context, work, &trial[i], alternative[i], best));
@@ -158,11 +159,11 @@ static enum um_status try_alternatives(struct um_context *context,
       break;
     at_once[n++] = alternative;
     if (ahead != NULL && n < AT_ONCE) continue;
-    UM_TRY(try_at_once(context, work, state, ahead, at_once, n, best));
+    UM_TRY(try_at_once(context, work, state, ahead, UM_DIAGNOSIS_NEXT_BEST, at_once, n, best));
     n = 0;
     ahead = best_fitted(step);
   }
-  return try_at_once(context, work, state, ahead, at_once, n, best);
+  return try_at_once(context, work, state, ahead, UM_DIAGNOSIS_NEXT_BEST, at_once, n, best);
 }
 
 /* Whether an alternative may fit as well as the one ahead. The score of one whose shape is not
@@ -181,7 +182,7 @@ static bool may_tie(const struct um_diagnosis_work *work, const struct um_diagno
 }
 
 /* Those left that may fit as well, the best score first, up to UM_DIAGNOSIS_TIES: the linear model
- * alone does not say that they do. */
+ * alone does not say that they do. One that is found not to tie need not be fitted to its end. */
 static enum um_status try_ties(struct um_context *context, const struct um_diagnosis_work *work,
                                const struct um_diagnosis_state *state,
                                struct um_diagnosis_step *step, struct um_diagnosis_state *best)
@@ -194,7 +195,7 @@ static enum um_status try_ties(struct um_context *context, const struct um_diagn
     if (!may_tie(work, state, r, ahead)) continue;
     tied[n++] = r;
   }
-  return try_at_once(context, work, state, ahead, tied, n, best);
+  return try_at_once(context, work, state, ahead, UM_DIAGNOSIS_EVIDENCE, tied, n, best);
 }
 
 /* Those that an earlier search named. */
@@ -208,7 +209,8 @@ static enum um_status try_named(struct um_context *context, const struct um_diag
     struct um_diagnosis_alternative *r = &step->alternative[i];
     if (work->shape[r->candidate].named && !r->fitted && !r->refused) named[n++] = r;
   }
-  return try_at_once(context, work, state, best_fitted(step), named, n, best);
+  return try_at_once(context, work, state, best_fitted(step), UM_DIAGNOSIS_NEXT_BEST, named, n,
+                     best);
 }
 
 /* Alternatives [from, until): those without unidentified parameters first. */

@@ -64,8 +64,8 @@
 /* Difference of BIC [1] that decides: odds exp(10 / 2) = 148 to 1, "very strong" of Kass & Raftery
  * 1995, JASA 90:773. LAB. */
 #define UM_DIAGNOSIS_EVIDENCE 10.0
-/* Difference of BIC [1] up to which the next best is named, and fits are not pruned: odds 1800
- * to 1. LAB: no verdict moved when 15 took the place of 10. */
+/* Difference of BIC [1] up to which the next best is named, and fits are not pruned, but those of
+ * ties beyond EVIDENCE: odds 1800 to 1. LAB: no verdict moved when 15 took the place of 10. */
 #define UM_DIAGNOSIS_NEXT_BEST 15.0
 /* Worth of a step in BIC [1], below which it is small. Derived: twice the evidence, since an effect
  * that does half as well is then within the evidence of it. */
