@@ -147,7 +147,7 @@ void um_app_forecast_print(const struct um_forecast *f, const char *folder)
   double delay = 0.0;
   for (size_t i = 0; i < f->npass; i++) delay = fmax(delay, f->pass[i].delay);
   if (delay > 1.0)
-    printf("two-line elements are old: times may be wrong by %.2g s (1 sigma) at the end\n", delay);
+    printf("elements are old: times may be wrong by %.2g s (1 sigma) at the end\n", delay);
   print_leaders(f);
   um_app_tell_results(folder);
 }

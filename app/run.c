@@ -101,7 +101,7 @@ static void print_run(const struct um_output_run *run, const char *folder, doubl
   for (size_t b = 0; r->nmaterial > 0 && b < r->nband; b++) um_app_run_print_band(run, b, work);
   const struct um_model *model = run->model;
   if (!isnan(model->orbit_error))
-    printf("two-line elements %.1f days %s: %.2g km, %.2g s of error along the track expected "
+    printf("elements %.1f days %s: %.2g km, %.2g s of error along the track expected "
            "(1 sigma)\n",
            fabs(model->orbit_age) / 86400.0, model->orbit_age >= 0.0 ? "old" : "ahead",
            1e-3 * model->orbit_error, model->orbit_delay);

@@ -10,7 +10,7 @@ static bool always(const struct um_model *model)
 static bool has_elements(const struct um_model *model)
 {
   const struct um_scenario_orbit *orbit = model->scenario->orbit;
-  return orbit->tle != NULL || orbit->tle_file != NULL;
+  return orbit->tle != NULL || orbit->tle_file != NULL || orbit->elements != NULL;
 }
 
 static bool has_station(const struct um_model *model)

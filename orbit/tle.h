@@ -1,4 +1,4 @@
-/* Two-line element sets. */
+/* Element sets of SGP4, and two lines that hold one. */
 #ifndef UMBRA_ORBIT_TLE_H
 #define UMBRA_ORBIT_TLE_H
 
@@ -6,10 +6,10 @@
 
 struct um_orbit_tle {
   int catalogue_number; /* Alpha-5 decoded */
-  char designator[9];
-  double epoch_tai;   /* [s] t_tai */
-  double epoch_jd[2]; /* UTC Julian date as printed [d] */
-  double mean_motion; /* [rad/min] */
+  char designator[16];  /* 02009A; of a message 2002-009A */
+  double epoch_tai;     /* [s] t_tai */
+  double epoch_jd[2];   /* UTC Julian date as printed [d] */
+  double mean_motion;   /* [rad/min] */
   double mean_motion_dot,
       mean_motion_ddot; /* as printed [rev/day^2 / 2, rev/day^3 / 6]; unused by SGP4 */
   double bstar;         /* [1/Earth radii] */

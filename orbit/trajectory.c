@@ -2,6 +2,7 @@
 #include "orbit/trajectory.h"
 
 #include "base/core/constants.h"
+#include "base/core/interpolation.h"
 #include "orbit/sgp4_impl.h"
 #include "orbit/sun.h"
 #include "orbit/trajectory_impl.h"
@@ -22,7 +23,8 @@ void um_orbit_trajectory_destroy(struct um_orbit_trajectory **trajectory)
 {
   if (!trajectory || !*trajectory) return;
   struct um_context *context = (*trajectory)->context;
-  um_orbit_sgp4_destroy(&(*trajectory)->sgp4);
+  for (size_t i = 0; i < (*trajectory)->nset; i++) um_orbit_sgp4_destroy(&(*trajectory)->sgp4[i]);
+  UM_FREE(context, (*trajectory)->sgp4, (*trajectory)->epochs);
   um_orbit_table_clear(context, &(*trajectory)->table);
   um_core_free(context, *trajectory);
   *trajectory = NULL;
@@ -33,12 +35,28 @@ enum um_status um_orbit_trajectory_create_tle(struct um_context *context,
                                               const struct um_orbit_earth_orientation *orientation,
                                               struct um_orbit_trajectory **out)
 {
+  struct um_orbit_tle set = *tle;
+  const struct um_orbit_elements one = {&set, 1};
+  return um_orbit_trajectory_create_elements(context, &one, tle->epoch_tai, orientation, out);
+}
+
+enum um_status um_orbit_trajectory_create_elements(
+    struct um_context *context, const struct um_orbit_elements *elements, double t_near,
+    const struct um_orbit_earth_orientation *orientation, struct um_orbit_trajectory **out)
+{
   enum um_status status;
+  size_t nearest = um_orbit_elements_nearest(elements, t_near);
   UM_TRY(allocate(context, TRAJECTORY_TLE, out));
-  (*out)->orientation = *orientation;
-  (*out)->epoch = tle->epoch_tai;
-  UM_CHECK(um_orbit_sgp4_create(context, tle, &(*out)->sgp4));
-  (*out)->period = um_orbit_sgp4_nodal_period((*out)->sgp4);
+  struct um_orbit_trajectory *to = *out;
+  to->orientation = *orientation;
+  UM_CHECK(um_core_allocate(context, elements->count, sizeof(void *), &to->sgp4));
+  UM_CHECK(um_core_allocate(context, elements->count, sizeof *to->epochs, &to->epochs));
+  for (; to->nset < elements->count; to->nset++) {
+    to->epochs[to->nset] = elements->set[to->nset].epoch_tai;
+    UM_CHECK(um_orbit_sgp4_create(context, &elements->set[to->nset], &to->sgp4[to->nset]));
+  }
+  to->epoch = to->epochs[nearest];
+  to->period = um_orbit_sgp4_nodal_period(to->sgp4[nearest]);
 done:
   if (status != UM_OK) um_orbit_trajectory_destroy(out);
   return status;
@@ -148,14 +166,23 @@ done:
   return status;
 }
 
+/* The set whose epoch is nearest. */
+static size_t nearest_set(const struct um_orbit_trajectory *orbit, double t_tai)
+{
+  if (orbit->nset < 2) return 0;
+  size_t k = um_core_interval_find(orbit->epochs, orbit->nset, t_tai);
+  return t_tai - orbit->epochs[k] > orbit->epochs[k + 1] - t_tai ? k + 1 : k;
+}
+
 /* SGP4 at (t - epoch) in minutes, TEME rotated to GCRS. */
 static enum um_status tle_state(struct um_context *context, const struct um_orbit_trajectory *orbit,
                                 double t_tai, struct um_vec3 *r, struct um_vec3 *v)
 {
   struct um_vec3 r_teme, v_teme;
   struct um_mat3 rotation;
-  double minutes = (t_tai - orbit->epoch) / 60.0;
-  UM_TRY(um_orbit_sgp4_state(context, orbit->sgp4, minutes, &r_teme, &v_teme, NULL));
+  size_t set = nearest_set(orbit, t_tai);
+  double minutes = (t_tai - orbit->epochs[set]) / 60.0;
+  UM_TRY(um_orbit_sgp4_state(context, orbit->sgp4[set], minutes, &r_teme, &v_teme, NULL));
   UM_TRY(um_orbit_frames_teme_to_gcrs(context, &orbit->orientation, t_tai, &rotation));
   *r = um_mat3_apply(rotation, r_teme);
   *v = um_mat3_apply(rotation, v_teme);

@@ -4,8 +4,8 @@
 
 #include "base/core/context.h"
 #include "base/core/vec.h"
+#include "orbit/elements.h"
 #include "orbit/frames.h"
-#include "orbit/tle.h"
 
 struct um_orbit_trajectory;
 
@@ -14,6 +14,12 @@ enum um_status um_orbit_trajectory_create_tle(struct um_context *context,
                                               const struct um_orbit_tle *tle,
                                               const struct um_orbit_earth_orientation *orientation,
                                               struct um_orbit_trajectory **out);
+/* Of several sets of one object, rising in epoch: at every time by the set whose epoch is nearest;
+ * half way between epochs the place steps by what they disagree. Period and epoch are those of the
+ * set nearest to t_near. */
+enum um_status um_orbit_trajectory_create_elements(
+    struct um_context *context, const struct um_orbit_elements *elements, double t_near,
+    const struct um_orbit_earth_orientation *orientation, struct um_orbit_trajectory **out);
 /* Two-body motion, mu = UM_EARTH_GM, elements in GCRS at epoch_tai [s]; a [m], e [1], angles [rad].
  */
 struct um_orbit_kepler {

@@ -53,8 +53,10 @@ struct um_orbit_trajectory {
   enum trajectory_kind kind;
   double period;                                 /* [s] */
   double shift;                                  /* [s] see um_orbit_trajectory_shift */
-  struct um_orbit_sgp4 *sgp4;                    /* TLE */
-  double epoch;                                  /* TLE: t_tai [s] */
+  struct um_orbit_sgp4 **sgp4;                   /* TLE: [nset] */
+  double *epochs;                                /* TLE: [nset] t_tai [s], rising */
+  size_t nset;                                   /* TLE */
+  double epoch;                                  /* TLE: of the set that was asked for */
   struct um_orbit_earth_orientation orientation; /* TLE */
   struct um_orbit_conic conic;                   /* KEPLER, CIRCULAR */
   struct um_orbit_table table;                   /* TABLE */

@@ -91,6 +91,7 @@ struct um_schema_object {
    * `atmosphere: none`): key of the field in this object that receives the scalar, all others
    * taking their defaults; NULL: a mapping is required. */
   const char *scalar_key;
+  bool others; /* keys that no field names are left alone: a file of another program */
 };
 
 /* Initialisers: UM_FIELD(struct T, member, "key_unit", TYPE) with more members of the field behind

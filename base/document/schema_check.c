@@ -24,7 +24,8 @@ static enum um_status check_known(struct um_context *context, const struct um_sc
                                   const struct um_node *node)
 {
   for (const struct um_node *n = node->first; n != NULL; n = n->next) {
-    if (um_document_schema_find(object, n->key) != NULL || takes_rest(object)) continue;
+    if (um_document_schema_find(object, n->key) != NULL || takes_rest(object) || object->others)
+      continue;
     char known[512] = "";
     struct um_core_words_guess guess = {.written = n->key};
     for (size_t i = 0; i < object->nfield; i++) {

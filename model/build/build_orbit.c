@@ -55,8 +55,23 @@ static enum um_status log_tle_age(struct um_context *context, const struct um_mo
   bool late = isnan(*delay) ? fabs(days) > OLD : *delay > LATE;
   bool new = !um_model_origin_says(model, said); /* a variant's origin has warned */
   um_core_log(context, late && new ? UM_LOG_WARNING : UM_LOG_INFO,
-              "orbit: TLE of object %d, epoch %s, %.1f days %s the first observation: %s",
+              "orbit: elements of object %d, epoch %s, %.1f days %s the first observation: %s",
               tle->catalogue_number, epoch, fabs(days), days >= 0.0 ? "before" : "after", means);
+  return UM_OK;
+}
+
+static enum um_status trajectory_of_elements(struct um_context *context, struct um_model *model,
+                                             const struct um_orbit_elements *elements,
+                                             struct um_orbit_trajectory **out)
+{
+  double error, delay, start = model->scenario->time->start;
+  const struct um_orbit_tle *set = &elements->set[um_orbit_elements_nearest(elements, start)];
+  UM_TRY(um_orbit_trajectory_create_elements(context, elements, start, &model->orientation, out));
+  UM_TRY(log_tle_age(context, model, set, *out, &error, &delay));
+  if (out != &model->trajectory) return UM_OK;
+  model->orbit_age = start - set->epoch_tai;
+  model->orbit_error = error;
+  model->orbit_delay = delay;
   return UM_OK;
 }
 
@@ -64,15 +79,9 @@ static enum um_status trajectory_of_tle(struct um_context *context, struct um_mo
                                         const char *text, struct um_orbit_trajectory **out)
 {
   struct um_orbit_tle tle;
-  double error, delay;
   UM_TRY(um_orbit_tle_parse(context, text, 1, &tle));
-  UM_TRY(um_orbit_trajectory_create_tle(context, &tle, &model->orientation, out));
-  UM_TRY(log_tle_age(context, model, &tle, *out, &error, &delay));
-  if (out != &model->trajectory) return UM_OK;
-  model->orbit_age = model->scenario->time->start - tle.epoch_tai;
-  model->orbit_error = error;
-  model->orbit_delay = delay;
-  return UM_OK;
+  const struct um_orbit_elements one = {&tle, 1};
+  return trajectory_of_elements(context, model, &one, out);
 }
 
 static enum um_status trajectory_of_kepler(struct um_context *context,
@@ -89,21 +98,16 @@ static enum um_status trajectory_of_kepler(struct um_context *context,
   return um_orbit_trajectory_create_kepler(context, &kepler, out);
 }
 
-/* The first set of a file; its lines are counted in the set, as the message says. */
-static enum um_status trajectory_of_tle_file(struct um_context *context, struct um_model *model,
-                                             const char *name, struct um_orbit_trajectory **out)
+static enum um_status trajectory_of_file(struct um_context *context, struct um_model *model,
+                                         const char *name, int object,
+                                         struct um_orbit_trajectory **out)
 {
   const char *path = NULL;
-  char *text = NULL;
-  size_t length;
+  struct um_orbit_elements elements;
   UM_TRY(um_model_resolve(context, model, &model->scenario->orbit->at, name, &path));
-  UM_TRY(um_core_file_read(context, path, 1 << 20, &text, &length));
-  enum um_status status =
-      strlen(text) == length
-          ? trajectory_of_tle(context, model, text, out)
-          : um_core_fail(context, UM_ERR_INPUT, "not a text file; accepted: two-line elements");
-  um_core_free(context, text);
-  if (status != UM_OK) um_core_message_prefix(context, "%s", path);
+  UM_TRY(um_orbit_elements_read(context, path, object, &elements));
+  enum um_status status = trajectory_of_elements(context, model, &elements, out);
+  um_orbit_elements_release(context, &elements);
   return status;
 }
 
@@ -112,6 +116,7 @@ static const char *orbit_key(const struct um_scenario_orbit *orbit)
 {
   if (orbit->tle != NULL) return "tle";
   if (orbit->tle_file != NULL) return "tle_file";
+  if (orbit->elements != NULL) return "elements";
   if (orbit->kepler != NULL) return "kepler";
   if (orbit->circular != NULL) return "circular";
   if (orbit->points != NULL) return "points";
@@ -124,7 +129,10 @@ static enum um_status build_trajectory(struct um_context *context, struct um_mod
   const char *path = NULL;
   if (orbit->tle != NULL) return trajectory_of_tle(context, model, orbit->tle, &model->trajectory);
   if (orbit->tle_file != NULL)
-    return trajectory_of_tle_file(context, model, orbit->tle_file, &model->trajectory);
+    return trajectory_of_file(context, model, orbit->tle_file, 0, &model->trajectory);
+  if (orbit->elements != NULL)
+    return trajectory_of_file(context, model, orbit->elements->file, orbit->elements->object,
+                              &model->trajectory);
   if (orbit->kepler != NULL)
     return trajectory_of_kepler(context, orbit->kepler, &model->trajectory);
   if (orbit->circular != NULL) {

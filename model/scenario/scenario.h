@@ -35,12 +35,18 @@ struct um_scenario_orientation {
   double ut1_utc_s, xp_arcsec, yp_arcsec;
   const char *finals;
 };
+struct um_scenario_elements {
+  struct um_mark at;
+  const char *file;
+  int object; /* catalogue number; 0: the only one */
+};
 struct um_scenario_points { /* every measurement says where the satellite is */
   struct um_mark at;
 };
 struct um_scenario_orbit {
   struct um_mark at;
   const char *tle, *tle_file, *table;
+  struct um_scenario_elements *elements;
   struct um_scenario_kepler *kepler;
   struct um_scenario_circular *circular;
   struct um_scenario_fixed_point *fixed;

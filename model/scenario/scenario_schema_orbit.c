@@ -72,11 +72,25 @@ OBJECT(points_object, struct um_scenario_points, "points",
        "followed.",
        .nfield = 0);
 
+#define OF struct um_scenario_elements
+static const struct um_schema_field elements_fields[] = {
+    F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
+      HELP("two-line elements, or mean-elements messages (OMM) as key = value, JSON or CSV; where "
+           "it "
+           "has several sets, the nearest in time serves at each instant")),
+    F(object, UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 999999999),
+      HELP("catalogue number; 0: the only one of the file")),
+};
+#undef OF
+OBJECT(elements_object, struct um_scenario_elements, "elements", "Element sets for SGP4.",
+       FIELDS(elements_fields), .scalar_key = "file");
+
 #define OF struct um_scenario_orbit
 static const struct um_schema_field orbit_fields[] = {
     F(tle, UM_SCHEMA_TEXT, .alternative = 1, HELP("two-line elements, for SGP4")),
     F(tle_file, UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,
-      HELP("file whose first two-line set is used")),
+      HELP("the same as elements with its file alone")),
+    F(elements, UM_SCHEMA_MAP, .object = &elements_object, .alternative = 1),
     F(kepler, UM_SCHEMA_MAP, .object = &kepler_object, .alternative = 1),
     F(circular, UM_SCHEMA_MAP, .object = &circular_object, .alternative = 1),
     F(table, UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,

@@ -158,9 +158,9 @@ static void test_texts(void **state)
   char *log = command_read("out/log.txt"), *cic = command_read("out/temperatures.cic"),
        *xdmf = command_read("out/run.xdmf");
   /* 6.8 min old: the error at the epoch, over 7.5 km/s */
-  assert_non_null(strstr(log,
-                         "TLE of object 27386, epoch 2016-09-06T18:00:10.965Z, 0.0 days before "
-                         "the first observation: expect 1 km, 0.13 s, along the track"));
+  assert_non_null(
+      strstr(log, "elements of object 27386, epoch 2016-09-06T18:00:10.965Z, 0.0 days before "
+                  "the first observation: expect 1 km, 0.13 s, along the track"));
   assert_null(strstr(log, "warning"));
   assert_int_equal(strncmp(cic, "CIC_MEM_VERS = 1.0\n", 19), 0);
   /* MJD 57637 is 2016-09-06; 18:07:00 is second 65220 */
@@ -172,6 +172,36 @@ static void test_texts(void **state)
   free(xdmf);
 }
 
+/* A message in JSON says what the two lines say, which is in the results, to the printed digits. */
+static void test_elements_of_a_message(void **state)
+{
+  (void)state;
+  command_write("omm.json",
+                "{\"OBJECT_ID\": \"2002-009A\", \"EPOCH\": \"2016-09-06T18:00:10.965024\",\n"
+                " \"MEAN_MOTION\": 14.37874790, \"ECCENTRICITY\": 0.0001254,\n"
+                " \"INCLINATION\": 98.2753, \"RA_OF_ASC_NODE\": 301.2152,\n"
+                " \"ARG_OF_PERICENTER\": 82.1013, \"MEAN_ANOMALY\": 278.0311,\n"
+                " \"NORAD_CAT_ID\": 27386, \"BSTAR\": 1.9645e-05}\n");
+  command_expect(0, "run", "box.yaml", "--no-plots", "--out", "by-message", "--set",
+                 "orbit={elements: omm.json}", NULL);
+  struct table lines = table_read("out/lightcurve.csv"),
+               message = table_read("by-message/lightcurve.csv");
+  static const char *const columns[] = {"range_km", "azimuth_deg", "elevation_deg",
+                                        "phase_angle_deg"};
+  assert_int_equal(message.nrow, lines.nrow);
+  for (size_t k = 0; k < lines.nrow; k++)
+    for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++)
+      assert_close(table_number(&message, k, columns[c]), table_number(&lines, k, columns[c]),
+                   1e-6);
+  table_release(&lines);
+  table_release(&message);
+  struct command c = command_run("check", "box.yaml", "--set",
+                                 "orbit={elements: {file: omm.json, object: 5}}", NULL);
+  assert_int_equal(c.code, 1);
+  assert_non_null(strstr(c.err, "omm.json: no set of object 5; the first one is of 27386"));
+  command_release(&c);
+}
+
 /* The older the elements, the more is said of them: 10 days later 11 km, more than a second. */
 static void test_age_of_elements(void **state)
 {
@@ -180,9 +210,9 @@ static void test_age_of_elements(void **state)
                                  "time.start_utc=2016-09-16T18:07:00Z", "--set",
                                  "time.stop_utc=2016-09-16T18:08:00Z", NULL);
   assert_int_equal(c.code, 0);
-  assert_non_null(strstr(c.err, "warning: orbit: TLE of object 27386"));
+  assert_non_null(strstr(c.err, "warning: orbit: elements of object 27386"));
   assert_non_null(strstr(c.err, "10.0 days before the first observation: expect 11 km, 1.5 s, "));
-  assert_non_null(strstr(c.out, "two-line elements 10.0 days old: 11 km, 1.5 s of error"));
+  assert_non_null(strstr(c.out, "elements 10.0 days old: 11 km, 1.5 s of error"));
   char *log = command_read("aged/log.txt");
   assert_non_null(strstr(log, "expect 11 km, 1.5 s, along the track (1 sigma)"));
   command_release(&c);
@@ -287,6 +317,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_heat, enter_two_parts, command_leave),
       cmocka_unit_test_setup_teardown(test_texts, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_age_of_elements, enter_box, command_leave),
+      cmocka_unit_test_setup_teardown(test_elements_of_a_message, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_other_observers, enter_box, command_leave),
       cmocka_unit_test_setup_teardown(test_error_stated, enter_two_parts, command_leave),
   };
