@@ -26,6 +26,15 @@ enum um_status um_orbit_elements_add(struct um_context *context, struct um_orbit
   return UM_OK;
 }
 
+enum um_status um_orbit_elements_add_message(struct um_context *context, const char *name,
+                                             const struct um_orbit_omm *omm,
+                                             struct um_orbit_elements *elements)
+{
+  struct um_orbit_tle set;
+  UM_TRY(um_orbit_omm_make(context, name, omm, &set));
+  return um_orbit_elements_add(context, elements, &set);
+}
+
 /* End of the two-line set that begins at `text`: behind its line 2, or the end of all. */
 static size_t set_length(const char *text)
 {
@@ -89,7 +98,7 @@ static enum um_status read_sets(struct um_context *context, const char *name, ch
                                 size_t length, struct um_orbit_elements *out)
 {
   static const char accepted[] =
-      "two-line elements, mean-elements messages (OMM) as key = value, JSON or CSV";
+      "two-line elements, mean-elements messages (OMM) as key = value, XML, JSON or CSV";
   char *all = text + (begins_with(text, "\xEF\xBB\xBF") ? 3 : 0);
   const char *first = all + strspn(all, " \t\r\n");
   if (strlen(text) != length)
@@ -99,8 +108,7 @@ static enum um_status read_sets(struct um_context *context, const char *name, ch
   if (begins_with(first, "CCSDS_"))
     return um_core_fail(context, UM_ERR_INPUT, "%s: another message, %.14s; accepted: %s", name,
                         first, accepted);
-  if (first[0] == '<')
-    return um_core_fail(context, UM_ERR_INPUT, "%s: this is XML; accepted: %s", name, accepted);
+  if (first[0] == '<') return um_orbit_omm_xml(context, name, all, strlen(all), out);
   if (has_column(first, "MEAN_MOTION"))
     return um_orbit_omm_csv(context, name, all, strlen(all), out);
   return read_lines(context, name, text, out);

@@ -1,5 +1,6 @@
 /* Files of element sets for SGP4: two-line elements, and orbit mean-elements messages (OMM, CCSDS
- * 502.0-B-3) as key = value, JSON or CSV, which have room for catalogue numbers of nine digits. */
+ * 502.0-B-3) as key = value, XML, JSON or CSV, which have room for catalogue numbers of nine
+ * digits. */
 #ifndef UMBRA_ORBIT_ELEMENTS_H
 #define UMBRA_ORBIT_ELEMENTS_H
 

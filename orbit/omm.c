@@ -67,6 +67,17 @@ size_t um_orbit_omm_find(const char *keyword)
   return which;
 }
 
+enum um_status um_orbit_omm_put(struct um_context *context, const char *name,
+                                struct um_orbit_omm *omm, size_t which, const char *text, int line)
+{
+  if (omm->text[which] != NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "%s:%d: %s stands in line %d already", name, line,
+                        um_orbit_omm_keyword(which), omm->line[which]);
+  omm->text[which] = text;
+  omm->line[which] = line;
+  return UM_OK;
+}
+
 static enum um_status refuse(struct um_context *context, const char *name,
                              const struct um_orbit_omm *omm, size_t which, const char *accepted)
 {

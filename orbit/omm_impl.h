@@ -16,6 +16,9 @@ struct um_orbit_omm {
 /* The keyword's place in these, or UM_ORBIT_OMM_KEYWORDS. */
 size_t um_orbit_omm_find(const char *keyword);
 const char *um_orbit_omm_keyword(size_t which);
+/* What stands behind a keyword. UM_ERR_INPUT: something stands there already. */
+enum um_status um_orbit_omm_put(struct um_context *context, const char *name,
+                                struct um_orbit_omm *omm, size_t which, const char *text, int line);
 /* The set of a message. UM_ERR_INPUT naming `name`, line, keyword and what is accepted. */
 enum um_status um_orbit_omm_make(struct um_context *context, const char *name,
                                  const struct um_orbit_omm *omm, struct um_orbit_tle *out);
@@ -24,12 +27,19 @@ enum um_status um_orbit_omm_make(struct um_context *context, const char *name,
 enum um_status um_orbit_elements_add(struct um_context *context, struct um_orbit_elements *elements,
                                      const struct um_orbit_tle *set);
 
-/* Messages of a text, added: key = value (written into), JSON, CSV. */
+/* That of a message. Errors of um_orbit_omm_make. */
+enum um_status um_orbit_elements_add_message(struct um_context *context, const char *name,
+                                             const struct um_orbit_omm *omm,
+                                             struct um_orbit_elements *elements);
+
+/* Messages of a text, added: key = value (written into), JSON, CSV, XML. */
 enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, char *text,
                                 struct um_orbit_elements *out);
 enum um_status um_orbit_omm_json(struct um_context *context, const char *name, const char *text,
                                  struct um_orbit_elements *out);
 enum um_status um_orbit_omm_csv(struct um_context *context, const char *name, const char *text,
+                                size_t length, struct um_orbit_elements *out);
+enum um_status um_orbit_omm_xml(struct um_context *context, const char *name, const char *bytes,
                                 size_t length, struct um_orbit_elements *out);
 
 #endif

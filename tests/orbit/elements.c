@@ -32,6 +32,19 @@
   "GOES 9,1995-025A,2007-03-05T10:34:41.426400,1.00273272,.0005013,3.0539,81.7939,249.2363,"       \
   "150.1602,23581,.0001,-.00000113,0\n"
 
+#define XML_HEAD                                                                                   \
+  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ndm xmlns=\"urn:ccsds:schema:ndmxml\">"            \
+  "<omm id=\"CCSDS_OMM_VERS\" version=\"2.0\"><header><ORIGINATOR>X</ORIGINATOR></header>\n"       \
+  "<body><segment><metadata><OBJECT_ID>1995-025A</OBJECT_ID><REF_FRAME>TEME</REF_FRAME>\n"
+#define XML_SET                                                                                    \
+  "</metadata><data><meanElements><EPOCH>2007-064T10:34:41.4264</EPOCH>"                           \
+  "<MEAN_MOTION units=\"rev/day\">1.00273272</MEAN_MOTION>\n<ECCENTRICITY>\n 0.0005013 \n"         \
+  "</ECCENTRICITY><INCLINATION>3.0539</INCLINATION><RA_OF_ASC_NODE>81.7939</RA_OF_ASC_NODE>"       \
+  "<ARG_OF_PERICENTER>249.2363</ARG_OF_PERICENTER><MEAN_ANOMALY>150.1602</MEAN_ANOMALY>"           \
+  "</meanElements><tleParameters><NORAD_CAT_ID>23581</NORAD_CAT_ID><BSTAR>0.0001</BSTAR>"          \
+  "<MEAN_MOTION_DOT>-0.00000113</MEAN_MOTION_DOT></tleParameters>"
+#define XML_TAIL "</data></segment></body></omm></ndm>\n"
+
 static enum um_status parse(struct um_context *context, const char *text, int object,
                             struct um_orbit_elements *out)
 {
@@ -50,6 +63,7 @@ static void one_set(void **state)
       "{" JSON_REST "23581}",
       " [{" JSON_REST "\"23581\"}]\n",
       CSV_HEAD CSV_ROW,
+      XML_HEAD XML_SET XML_TAIL,
   };
   struct um_orbit_tle tle;
   assert_ok(context, um_orbit_tle_parse(context, GOES_LINES, 1, &tle));
@@ -137,7 +151,7 @@ static void nearest_in_time(void **state)
   um_orbit_elements_release(context, &e);
 }
 
-#define ACCEPTED "two-line elements, mean-elements messages (OMM) as key = value, JSON or CSV"
+#define ACCEPTED "two-line elements, mean-elements messages (OMM) as key = value, XML, JSON or CSV"
 
 static void refusals(void **state)
 {
@@ -151,7 +165,15 @@ static void refusals(void **state)
        "sets: TLE: line 1 is missing; two lines that begin with '1 ' and '2 ', with or without a "
        "name line before them, are accepted"},
       {"[]", 0, "sets: no element set; accepted: one or more"},
-      {"<?xml version=\"1.0\"?><ndm/>", 0, "sets: this is XML; accepted: " ACCEPTED},
+      {"<?xml version=\"1.0\"?><ndm/>", 0, "sets: no element set; accepted: one or more"},
+      {XML_HEAD XML_SET, 0, "sets:7: not XML as it should be: no element found"},
+      {XML_HEAD "<REF_FRAME>GCRF</REF_FRAME>" XML_SET XML_TAIL, 0,
+       "sets:4: REF_FRAME stands in line 3 already"},
+      {XML_HEAD "<TIME_SYSTEM>UT1</TIME_SYSTEM>" XML_SET XML_TAIL, 0,
+       "sets:4: TIME_SYSTEM: 'UT1'; accepted: UTC"},
+      {"<!DOCTYPE x [<!ENTITY a \"b\">]>\n" XML_HEAD XML_SET XML_TAIL, 0,
+       "sets:1: a document type; accepted: mean-elements messages without"},
+      {XML_HEAD XML_TAIL, 0, "sets:4: not XML as it should be: mismatched tag"},
       {"CCSDS_OEM_VERS = 2.0\n", 0, "sets: another message, CCSDS_OEM_VERS; accepted: " ACCEPTED},
       {DAY_250 GOES_LINES, 0,
        "sets: sets of several objects, 27386 and 23581 the first of them; accepted: sets of one, "
