@@ -16,25 +16,6 @@ void um_orbit_elements_release(struct um_context *context, struct um_orbit_eleme
   *elements = (struct um_orbit_elements){0};
 }
 
-enum um_status um_orbit_elements_add(struct um_context *context, struct um_orbit_elements *elements,
-                                     const struct um_orbit_tle *set)
-{
-  size_t n = elements->count;
-  if ((n & (n - 1)) == 0) /* room for twice as many */
-    UM_TRY(um_core_reallocate(context, n == 0 ? 1 : 2 * n, sizeof *set, (void **)&elements->set));
-  elements->set[elements->count++] = *set;
-  return UM_OK;
-}
-
-enum um_status um_orbit_elements_add_message(struct um_context *context, const char *name,
-                                             const struct um_orbit_omm *omm,
-                                             struct um_orbit_elements *elements)
-{
-  struct um_orbit_tle set;
-  UM_TRY(um_orbit_omm_make(context, name, omm, &set));
-  return um_orbit_elements_add(context, elements, &set);
-}
-
 /* End of the two-line set that begins at `text`: behind its line 2, or the end of all. */
 static size_t set_length(const char *text)
 {

@@ -6,17 +6,12 @@
 
 #include "orbit/tle.h"
 
-/* Sets by their epochs, rising; of equal epochs the one that stands last is kept. */
-struct um_orbit_elements {
-  struct um_orbit_tle *set; /* [count] */
-  size_t count;
-};
-
-/* All sets of one object that a file has; what it is written in is found out. object: its catalogue
- * number; 0: the only one. Frame and scale of an OMM are TEME and UTC, its theory is SGP4.
- * UM_ERR_IO; UM_ERR_INPUT "file:line: ...": what um_orbit_tle_parse refuses, a keyword that is
- * missing, out of range or of another frame, time scale or theory, sets of several objects where
- * none is named, none of the one that is. The caller releases. */
+/* All sets of one object that a file has, by their epochs, rising; of equal epochs the one that
+ * stands last. What it is written in is found out. object: its catalogue number; 0: the only one.
+ * Frame and scale of an OMM are TEME and UTC, its theory is SGP4. UM_ERR_IO; UM_ERR_INPUT
+ * "file:line: ...": what um_orbit_tle_parse refuses, a keyword that is missing, out of range or of
+ * another frame, time scale or theory, sets of several objects where none is named, none of the one
+ * that is. The caller releases. */
 enum um_status um_orbit_elements_read(struct um_context *context, const char *path, int object,
                                       struct um_orbit_elements *out);
 /* The same from memory; `name` is what messages call it. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/constants.h"
@@ -106,12 +107,13 @@ static enum um_status check_word(struct um_context *context, const char *name,
 /* Year and day of the year, "2016-250T18:00:10.965", as year, month and day. */
 static bool calendar(const char *text, char *out, size_t size)
 {
-  int year, day, end = 0, y, m, d;
+  static const char form[] = "dddd-dddT";
+  int y, m, d;
   double jd, mjd, part;
-  if (sscanf(text, "%4d-%3d%n", &year, &day, &end) != 2 || end != 8 || text[8] != 'T' || day < 1 ||
-      day > 366)
-    return false;
-  if (eraCal2jd(year, 1, 1, &jd, &mjd) != 0 ||
+  for (size_t k = 0; form[k] != '\0'; k++)
+    if (form[k] == 'd' ? !(text[k] >= '0' && text[k] <= '9') : text[k] != form[k]) return false;
+  int year = (int)strtol(text, NULL, 10), day = (int)strtol(text + 5, NULL, 10);
+  if (day < 1 || eraCal2jd(year, 1, 1, &jd, &mjd) != 0 ||
       eraJd2cal(jd, mjd + day - 1, &y, &m, &d, &part) != 0 || y != year)
     return false;
   return snprintf(out, size, "%04d-%02d-%02d%s", y, m, d, text + 8) < (int)size;
@@ -168,4 +170,22 @@ enum um_status um_orbit_omm_make(struct um_context *context, const char *name,
     *value *= n->factor;
   }
   return read_catalogue(context, name, omm, out);
+}
+
+enum um_status um_orbit_elements_add(struct um_context *context, struct um_orbit_elements *elements,
+                                     const struct um_orbit_tle *set)
+{
+  size_t n = elements->count;
+  if ((n & (n - 1)) == 0) /* room for twice as many */
+    UM_TRY(um_core_reallocate(context, n == 0 ? 1 : 2 * n, sizeof *set, (void **)&elements->set));
+  elements->set[elements->count++] = *set;
+  return UM_OK;
+}
+
+enum um_status um_orbit_omm_add(struct um_context *context, const char *name,
+                                const struct um_orbit_omm *omm, struct um_orbit_elements *elements)
+{
+  struct um_orbit_tle set;
+  UM_TRY(um_orbit_omm_make(context, name, omm, &set));
+  return um_orbit_elements_add(context, elements, &set);
 }

@@ -2,7 +2,7 @@
 #ifndef UMBRA_ORBIT_OMM_IMPL_H
 #define UMBRA_ORBIT_OMM_IMPL_H
 
-#include "orbit/elements.h"
+#include "orbit/tle.h"
 
 #define UM_ORBIT_OMM_KEYWORDS 16
 
@@ -28,9 +28,8 @@ enum um_status um_orbit_elements_add(struct um_context *context, struct um_orbit
                                      const struct um_orbit_tle *set);
 
 /* That of a message. Errors of um_orbit_omm_make. */
-enum um_status um_orbit_elements_add_message(struct um_context *context, const char *name,
-                                             const struct um_orbit_omm *omm,
-                                             struct um_orbit_elements *elements);
+enum um_status um_orbit_omm_add(struct um_context *context, const char *name,
+                                const struct um_orbit_omm *omm, struct um_orbit_elements *elements);
 
 /* Messages of a text, added: key = value (written into), JSON, CSV, XML. */
 enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, char *text,

@@ -44,7 +44,7 @@ enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, ch
     char *value = without_unit(trim(equals + 1, equals + 1 + strlen(equals + 1)));
     key = trim(key, equals);
     if (strcmp(key, "CCSDS_OMM_VERS") == 0) {
-      if (omm.begin > 0) UM_TRY(um_orbit_elements_add_message(context, name, &omm, out));
+      if (omm.begin > 0) UM_TRY(um_orbit_omm_add(context, name, &omm, out));
       omm = (struct um_orbit_omm){.begin = line};
       continue;
     }
@@ -52,7 +52,7 @@ enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, ch
     if (which == UM_ORBIT_OMM_KEYWORDS) continue;
     UM_TRY(um_orbit_omm_put(context, name, &omm, which, value, line));
   }
-  return um_orbit_elements_add_message(context, name, &omm, out);
+  return um_orbit_omm_add(context, name, &omm, out);
 }
 
 /* --- JSON ------------------------------------------------------------------------------------ */
@@ -103,7 +103,7 @@ static enum um_status json_message(struct um_context *context, const char *name,
     omm.text[k] = value.text;
     omm.line[k] = um_document_mark_key(&message->at, um_orbit_omm_keyword(k))->line;
   }
-  return um_orbit_elements_add_message(context, name, &omm, out);
+  return um_orbit_omm_add(context, name, &omm, out);
 }
 
 enum um_status um_orbit_omm_json(struct um_context *context, const char *name, const char *text,
@@ -141,7 +141,7 @@ enum um_status um_orbit_omm_csv(struct um_context *context, const char *name, co
       omm.text[k] = um_core_csv_text(csv, row, column);
       omm.line[k] = omm.begin;
     }
-    status = um_orbit_elements_add_message(context, name, &omm, out);
+    status = um_orbit_omm_add(context, name, &omm, out);
   }
   um_core_csv_destroy(&csv);
   return status;

@@ -85,7 +85,7 @@ static void XMLCALL end(void *self, const XML_Char *name)
   r->which = UM_ORBIT_OMM_KEYWORDS;
   if (status == UM_OK && strcmp(without_prefix(name), "omm") == 0) {
     r->inside = false;
-    status = um_orbit_elements_add_message(r->context, r->name, &r->omm, r->out);
+    status = um_orbit_omm_add(r->context, r->name, &r->omm, r->out);
   }
   if (status != UM_OK) stop(r, status);
 }

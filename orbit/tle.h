@@ -16,6 +16,11 @@ struct um_orbit_tle {
   double inclination, raan, eccentricity, argument_of_perigee, mean_anomaly; /* [rad], [1] */
 };
 
+struct um_orbit_elements {
+  struct um_orbit_tle *set; /* [count] */
+  size_t count;
+};
+
 /* Two or three lines (a name line is skipped). Checks: 69 columns, line numbers, equal catalogue
  * numbers, checksums, every field's range. UM_ERR_INPUT: "TLE line 2: checksum is 5, the line
  * says 4"; `checksum` false skips only the checksum (verification sets have bad ones). */
