@@ -56,8 +56,8 @@ static enum um_status note_orbit(const struct um_output_netcdf *w)
   const struct um_model *model = w->run->model;
   char text[160];
   if (isnan(model->orbit_age)) return UM_OK;
-  snprintf(text, sizeof text, "elements %.2f days old at the first observation: ",
-           model->orbit_age / 86400.0);
+  snprintf(text, sizeof text,
+           "elements %.2f days old at the first observation: ", model->orbit_age / 86400.0);
   size_t n = strlen(text);
   if (isnan(model->orbit_error))
     snprintf(text + n, sizeof text - n, "error not known");

@@ -75,7 +75,8 @@ OBJECT(points_object, struct um_scenario_points, "points",
 #define OF struct um_scenario_elements
 static const struct um_schema_field elements_fields[] = {
     F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
-      HELP("two-line elements, or mean-elements messages (OMM) as key = value, XML, JSON or CSV; where "
+      HELP("two-line elements, or mean-elements messages (OMM) as key = value, XML, JSON or CSV; "
+           "where "
            "it "
            "has several sets, the nearest in time serves at each instant")),
     F(object, UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 999999999),
