@@ -42,5 +42,5 @@ done:
 const struct um_app_export um_app_export_trajectory = {
     .name = "trajectory",
     .target = "FOLDER",
-    .summary = "orbit.csv and attitude.csv, which orbit.table and attitude.table take",
+    .summary = "orbit.csv, orbit.oem (CCSDS) and attitude.csv, for orbit.table and attitude.table",
     .run = export_trajectory};

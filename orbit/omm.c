@@ -1,11 +1,9 @@
 /* Orbit mean-elements messages (CCSDS 502.0-B-3, 2023, section 4): keywords, their units and
  * ranges, and what SGP4 asks of them. MEAN_MOTION_DOT and _DDOT are those of two-line elements,
  * half and a sixth of the derivatives. */
-#include <erfa.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/core/constants.h"
@@ -104,29 +102,12 @@ static enum um_status check_word(struct um_context *context, const char *name,
   return refuse(context, name, omm, which, accepted[0]);
 }
 
-/* Year and day of the year, "2016-250T18:00:10.965", as year, month and day. */
-static bool calendar(const char *text, char *out, size_t size)
-{
-  static const char form[] = "dddd-dddT";
-  int y, m, d;
-  double jd, mjd, part;
-  for (size_t k = 0; form[k] != '\0'; k++)
-    if (form[k] == 'd' ? !(text[k] >= '0' && text[k] <= '9') : text[k] != form[k]) return false;
-  int year = (int)strtol(text, NULL, 10), day = (int)strtol(text + 5, NULL, 10);
-  if (day < 1 || eraCal2jd(year, 1, 1, &jd, &mjd) != 0 ||
-      eraJd2cal(jd, mjd + day - 1, &y, &m, &d, &part) != 0 || y != year)
-    return false;
-  return snprintf(out, size, "%04d-%02d-%02d%s", y, m, d, text + 8) < (int)size;
-}
-
 static enum um_status read_epoch(struct um_context *context, const char *name,
                                  const struct um_orbit_omm *omm, struct um_orbit_tle *out)
 {
-  char text[64], why[256];
+  char why[256];
   if (omm->text[EPOCH] == NULL) return missing(context, name, omm, EPOCH);
-  if (!calendar(omm->text[EPOCH], text, sizeof text))
-    snprintf(text, sizeof text, "%s", omm->text[EPOCH]);
-  if (!um_orbit_time_parse_hook(text, &out->epoch_tai, why, sizeof why))
+  if (!um_orbit_time_parse_message(omm->text[EPOCH], "UTC", &out->epoch_tai, why, sizeof why))
     return refuse(context, name, omm, EPOCH, why);
   um_orbit_time_utc(out->epoch_tai, out->epoch_jd);
   return UM_OK;

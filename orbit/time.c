@@ -13,6 +13,7 @@
 #include <string.h>
 
 static const double J2000 = 2451545.0;     /* [d] */
+static const double MJD_ZERO = 2400000.5;  /* [d] */
 static const double DAY = 86400.0;         /* [s] */
 static const double TT_MINUS_TAI = 32.184; /* [s] */
 
@@ -134,6 +135,70 @@ bool um_orbit_time_parse_hook(const char *text, void *target, char *accepted, si
   snprintf(accepted, size, "a UTC time like 2016-09-21T20:33:00Z%s%s%s", fault != NULL ? " (" : "",
            fault != NULL ? fault + 3 : "", fault != NULL ? ")" : "");
   return false;
+}
+
+/* TAI less the clock of a scale that has no leap seconds [s]. */
+static const struct {
+  const char *name;
+  double behind;
+} scales[] = {{"TAI", 0.0}, {"TT", -32.184}, {"TDT", -32.184}, {"GPS", 19.0}};
+#define SCALES (sizeof scales / sizeof *scales)
+
+/* Its place in these, or SCALES. */
+static size_t scale_find(const char *scale)
+{
+  size_t k = 0;
+  while (k < SCALES && strcmp(scale, scales[k].name) != 0) k++;
+  return k;
+}
+
+bool um_orbit_time_scale_is_known(const char *scale)
+{
+  return strcmp(scale, "UTC") == 0 || scale_find(scale) < SCALES;
+}
+
+/* Year and day of the year as year, month and day; other texts as they are. */
+static void date_by_month(const char *text, char out[64])
+{
+  const char *p = text;
+  int year, day, y, m, d;
+  double jd, mjd, part;
+  if (digits_read(&p, 4, &year) && letter_read(&p, '-') && digits_read(&p, 3, &day) && *p == 'T' &&
+      day > 0 && eraCal2jd(year, 1, 1, &jd, &mjd) == 0 &&
+      eraJd2cal(jd, mjd + day - 1, &y, &m, &d, &part) == 0 && y == year)
+    snprintf(out, 64, "%04d-%02d-%02d%s", y, m, d, p);
+  else
+    snprintf(out, 64, "%s", text);
+}
+
+bool um_orbit_time_parse_message(const char *text, const char *scale, double *t_tai, char *accepted,
+                                 size_t size)
+{
+  char date[64];
+  struct calendar c;
+  double d1, d2;
+  date_by_month(text, date);
+  size_t k = scale_find(scale);
+  if (k == SCALES) return um_orbit_time_parse_hook(date, t_tai, accepted, size);
+  if (!calendar_read(date, &c) || c.year < 1960 || c.year > 2100 || c.second >= 60.0 ||
+      eraDtf2d("TAI", c.year, c.month, c.day, c.hour, c.minute, c.second, &d1, &d2) < 0) {
+    snprintf(accepted, size, "a time of %s like 2016-09-21T20:33:00 from 1960 to 2100", scale);
+    return false;
+  }
+  *t_tai = (d1 - J2000) * DAY + d2 * DAY + scales[k].behind;
+  return true;
+}
+
+bool um_orbit_time_from_mjd(double day, double seconds, const char *scale, double *t_tai)
+{
+  size_t k = scale_find(scale);
+  if (!(day == floor(day) && day >= 36934.0 && day < 88434.0 && seconds >= 0.0 &&
+        seconds < 86401.0))
+    return false; /* 1960 to 2100 */
+  double begin = k == SCALES ? um_orbit_time_from_utc_jd(MJD_ZERO, day)
+                             : (MJD_ZERO - J2000 + day) * DAY + scales[k].behind;
+  *t_tai = begin + seconds;
+  return true;
 }
 
 enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, double *t_tai)

@@ -15,6 +15,13 @@ enum um_status um_orbit_time_parse(struct um_context *context, const char *utc, 
 bool um_orbit_time_parse_field(const char *text, void *target, char *why, size_t why_size);
 /* The same as the parse hook of a schema: `accepted` takes what is accepted instead. */
 bool um_orbit_time_parse_hook(const char *text, void *target, char *accepted, size_t size);
+/* Times of messages: one of UTC, TAI, TT (or TDT), GPS; the date by month and day, or by the day of
+ * the year, "2016-265T20:33:00". accepted: as above. */
+bool um_orbit_time_scale_is_known(const char *scale);
+bool um_orbit_time_parse_message(const char *text, const char *scale, double *t_tai, char *accepted,
+                                 size_t size);
+/* Modified Julian day (whole) and seconds of it, by the clock of a scale; false: out of range. */
+bool um_orbit_time_from_mjd(double day, double seconds, const char *scale, double *t_tai);
 /* t_tai -> "2016-09-21T20:33:00.000Z", rounded to 1 ms; out holds 25 bytes. */
 void um_orbit_time_format(double t_tai, char out[32]);
 /* Two-part Julian dates of other scales. ut1_utc [s]. */

@@ -29,6 +29,9 @@ struct um_orbit_table {
   struct um_vec3 *v; /* [m/s], shape [n] */
 };
 
+#define UM_ORBIT_NEAREST  6e6  /* [m] from the geocentre: the smallest Earth of a scenario */
+#define UM_ORBIT_FARTHEST 1e12 /* [m] as far as an observer may be */
+
 enum um_status um_orbit_table_state(struct um_context *context, const struct um_orbit_table *table,
                                     double t_tai, struct um_vec3 *r, struct um_vec3 *v);
 void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *table);
@@ -36,6 +39,11 @@ void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *tab
  * error too. */
 enum um_status um_orbit_table_read(struct um_context *context, const char *path,
                                    struct um_orbit_table *table);
+/* Is it an ephemeris message? Its rows into an empty table; the text is written into. UM_ERR_INPUT
+ * naming `name`, line and what is accepted. */
+bool um_orbit_oem_is(const char *text);
+enum um_status um_orbit_oem_read(struct um_context *context, const char *name, char *text,
+                                 struct um_orbit_table *table);
 /* Period of the osculating ellipse in the first row [s]; NaN when it is open. */
 double um_orbit_table_period(const struct um_orbit_table *table);
 

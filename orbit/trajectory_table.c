@@ -7,12 +7,12 @@
 #include <string.h>
 
 #include "base/core/constants.h"
+#include "base/core/file.h"
 #include "base/core/interpolation.h"
 #include "orbit/time_column_impl.h"
 #include "orbit/trajectory_impl.h"
 
-#define NEAREST  6e6  /* [m] from the geocentre: the smallest Earth that a scenario may have */
-#define FARTHEST 1e12 /* [m] as far as an observer may be */
+#define BYTES ((size_t)1 << 30) /* of a file, as of any table */
 
 static const char *const columns[7] = {"time_utc", "x_km",    "y_km",   "z_km",
                                        "vx_km_s",  "vy_km_s", "vz_km_s"};
@@ -156,10 +156,10 @@ static enum um_status rows_check(struct um_context *context, const struct um_cor
   UM_TRY(um_core_csv_require(context, csv, columns[1], &x));
   for (size_t i = 0; i < table->n; i++) {
     double r = um_vec3_norm(table->r[i]);
-    if (!(r >= NEAREST && r <= FARTHEST))
+    if (!(r >= UM_ORBIT_NEAREST && r <= UM_ORBIT_FARTHEST))
       return um_core_csv_fail(context, csv, i, x,
                               "the position is %g km from the geocentre; accepted: %g to %g km",
-                              r / 1e3, NEAREST / 1e3, FARTHEST / 1e3);
+                              r / 1e3, UM_ORBIT_NEAREST / 1e3, UM_ORBIT_FARTHEST / 1e3);
   }
   if (!velocities) return UM_OK;
   UM_TRY(um_core_csv_require(context, csv, columns[4], &vx));
@@ -172,15 +172,14 @@ static enum um_status rows_check(struct um_context *context, const struct um_cor
   return UM_OK;
 }
 
-enum um_status um_orbit_table_read(struct um_context *context, const char *path,
-                                   struct um_orbit_table *table)
+static enum um_status read_columns(struct um_context *context, const char *path, const char *text,
+                                   size_t length, struct um_orbit_table *table)
 {
   enum um_status status;
   struct um_core_csv *csv = NULL;
   bool velocities = false;
-  UM_TRY(um_core_csv_read(context, path, &csv));
+  UM_TRY(um_core_csv_parse(context, path, text, length, &csv));
   UM_CHECK(columns_check(context, csv, &velocities));
-  UM_CHECK(um_core_strdup(context, path, &table->path));
   UM_CHECK(um_orbit_time_column(context, csv, 2, &table->t));
   table->n = um_core_csv_rows(csv);
   UM_CHECK(um_core_allocate(context, table->n, sizeof *table->r, &table->r));
@@ -191,6 +190,20 @@ enum um_status um_orbit_table_read(struct um_context *context, const char *path,
   if (!velocities) UM_CHECK(slopes(context, table));
 done:
   um_core_csv_destroy(&csv);
+  return status;
+}
+
+enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   struct um_orbit_table *table)
+{
+  char *text = NULL;
+  size_t length;
+  UM_TRY(um_core_strdup(context, path, &table->path));
+  UM_TRY(um_core_file_read(context, path, BYTES, &text, &length));
+  enum um_status status = um_orbit_oem_is(text) && strlen(text) == length
+                              ? um_orbit_oem_read(context, path, text, table)
+                              : read_columns(context, path, text, length, table);
+  um_core_free(context, text);
   return status;
 }
 

@@ -61,25 +61,51 @@ enum um_status um_output_instants_choose(struct um_context *context, const struc
   return UM_OK;
 }
 
-static void put_row(FILE *orbit, FILE *attitude, const char *utc,
-                    const struct um_environment_sample *s)
+/* Files of a trajectory; NULL: not open. */
+enum { ORBIT, MESSAGE, ATTITUDE, FILES };
+static const char *const names[FILES] = {"orbit.csv", "orbit.oem", "attitude.csv"};
+
+static void put_row(FILE *const file[FILES], const char *utc, const struct um_environment_sample *s)
 {
   const double state[] = {s->r.x, s->r.y, s->r.z, s->v.x, s->v.y, s->v.z};
   const double q[] = {s->q.w, s->q.x, s->q.y, s->q.z};
-  fputs(utc, orbit);
-  for (int k = 0; k < 6; k++) um_core_csv_put_exact(orbit, 1e-3 * state[k]);
-  fputc('\n', orbit);
-  fputs(utc, attitude);
-  for (int k = 0; k < 4; k++) um_core_csv_put_exact(attitude, q[k]);
-  fputc('\n', attitude);
+  fputs(utc, file[ORBIT]);
+  fputs(utc, file[MESSAGE]);
+  for (int k = 0; k < 6; k++) {
+    char text[32];
+    um_core_csv_put_exact(file[ORBIT], 1e-3 * state[k]);
+    um_core_number_text(1e-3 * state[k], text);
+    fprintf(file[MESSAGE], " %s", text);
+  }
+  fputc('\n', file[ORBIT]);
+  fputc('\n', file[MESSAGE]);
+  fputs(utc, file[ATTITUDE]);
+  for (int k = 0; k < 4; k++) um_core_csv_put_exact(file[ATTITUDE], q[k]);
+  fputc('\n', file[ATTITUDE]);
+}
+
+/* The message is dated by its first row: the same scenario gives the same bytes. */
+static void put_heads(const struct um_model *model, const struct um_output_instants *instants,
+                      FILE *const file[FILES])
+{
+  const char *name = model->scenario->name;
+  char first[32], last[32];
+  um_orbit_time_format(instants->from, first);
+  um_orbit_time_format(instants->from + instants->step * (double)(instants->count - 1), last);
+  fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", file[ORBIT]);
+  fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", file[ATTITUDE]);
+  fprintf(file[MESSAGE],
+          "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\n"
+          "OBJECT_NAME = %s\nOBJECT_ID = %s\nCENTER_NAME = EARTH\nREF_FRAME = GCRF\n"
+          "TIME_SYSTEM = UTC\nSTART_TIME = %s\nSTOP_TIME = %s\nINTERPOLATION = HERMITE\n"
+          "INTERPOLATION_DEGREE = 3\nMETA_STOP\n\n",
+          first, name, name, first, last);
 }
 
 static enum um_status put_rows(struct um_context *context, const struct um_model *model,
-                               const struct um_output_instants *instants, FILE *orbit,
-                               FILE *attitude)
+                               const struct um_output_instants *instants, FILE *const file[FILES])
 {
-  fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", orbit);
-  fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", attitude);
+  put_heads(model, instants, file);
   for (size_t i = 0; i < instants->count; i++) {
     struct um_environment_sample s;
     char utc[32];
@@ -88,7 +114,7 @@ static enum um_status put_rows(struct um_context *context, const struct um_model
     um_orbit_time_format(instants->from + instants->step * (double)i, utc);
     UM_TRY(um_orbit_time_parse(context, utc, &t)); /* to the millisecond: that of the row */
     UM_TRY(um_model_sample_at(context, model, t, &s));
-    put_row(orbit, attitude, utc, &s);
+    put_row(file, utc, &s);
   }
   return UM_OK;
 }
@@ -97,18 +123,15 @@ enum um_status um_output_write_trajectory(struct um_context *context, const stru
                                           const struct um_output_instants *instants,
                                           struct um_core_folder *folder)
 {
-  FILE *orbit = NULL, *attitude = NULL;
-  enum um_status status, closed;
-  UM_CHECK(um_core_folder_open(context, folder, "orbit.csv", &orbit));
-  UM_CHECK(um_core_folder_open(context, folder, "attitude.csv", &attitude));
-  UM_CHECK(put_rows(context, model, instants, orbit, attitude));
+  FILE *file[FILES] = {NULL};
+  enum um_status status;
+  for (int k = 0; k < FILES; k++)
+    UM_CHECK(um_core_folder_open(context, folder, names[k], &file[k]));
+  UM_CHECK(put_rows(context, model, instants, file));
 done:
-  if (orbit != NULL) {
-    closed = um_core_file_close(context, "orbit.csv", &orbit);
-    if (status == UM_OK) status = closed;
-  }
-  if (attitude != NULL) {
-    closed = um_core_file_close(context, "attitude.csv", &attitude);
+  for (int k = 0; k < FILES; k++) {
+    if (file[k] == NULL) continue;
+    enum um_status closed = um_core_file_close(context, names[k], &file[k]);
     if (status == UM_OK) status = closed;
   }
   return status;

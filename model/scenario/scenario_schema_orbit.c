@@ -95,7 +95,8 @@ static const struct um_schema_field orbit_fields[] = {
     F(kepler, UM_SCHEMA_MAP, .object = &kepler_object, .alternative = 1),
     F(circular, UM_SCHEMA_MAP, .object = &circular_object, .alternative = 1),
     F(table, UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,
-      HELP("CSV time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s] in GCRS")),
+      HELP("CSV time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s] in GCRS, or an ephemeris "
+           "message (OEM)")),
     F(fixed, UM_SCHEMA_MAP, .object = &fixed_point_object, .alternative = 1),
     F(points, UM_SCHEMA_MAP, .object = &points_object, .alternative = 1),
     F(earth_orientation, UM_SCHEMA_MAP, .object = &orientation_object),
