@@ -42,5 +42,6 @@ done:
 const struct um_app_export um_app_export_trajectory = {
     .name = "trajectory",
     .target = "FOLDER",
-    .summary = "orbit.csv, orbit.oem (CCSDS) and attitude.csv, for orbit.table and attitude.table",
+    .summary =
+        "orbit and attitude as .csv and as .oem, .aem (CCSDS), for orbit.table and attitude.table",
     .run = export_trajectory};

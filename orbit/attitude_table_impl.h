@@ -12,6 +12,12 @@ struct um_orbit_attitude_table {
   struct um_quat *q; /* GCRS to body, unit, shape [n] */
 };
 
+#define UM_ORBIT_ATTITUDE_NORM 1e-3 /* of |q| from 1, rounding of short columns */
+
+/* Rows of an attitude message into an empty table; the text is written into. UM_ERR_INPUT naming
+ * `name`, line and what is accepted. */
+enum um_status um_orbit_aem_read(struct um_context *context, const char *name, char *text,
+                                 struct um_orbit_attitude_table *table);
 enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
                                             double max_gap, struct um_orbit_attitude_table *table);
 void um_orbit_attitude_table_clear(struct um_context *context,

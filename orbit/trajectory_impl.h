@@ -39,9 +39,8 @@ void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *tab
  * error too. */
 enum um_status um_orbit_table_read(struct um_context *context, const char *path,
                                    struct um_orbit_table *table);
-/* Is it an ephemeris message? Its rows into an empty table; the text is written into. UM_ERR_INPUT
- * naming `name`, line and what is accepted. */
-bool um_orbit_oem_is(const char *text);
+/* Rows of an ephemeris message into an empty table; the text is written into. UM_ERR_INPUT naming
+ * `name`, line and what is accepted. */
 enum um_status um_orbit_oem_read(struct um_context *context, const char *name, char *text,
                                  struct um_orbit_table *table);
 /* Period of the osculating ellipse in the first row [s]; NaN when it is open. */

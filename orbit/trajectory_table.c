@@ -9,6 +9,7 @@
 #include "base/core/constants.h"
 #include "base/core/file.h"
 #include "base/core/interpolation.h"
+#include "orbit/message_impl.h"
 #include "orbit/time_column_impl.h"
 #include "orbit/trajectory_impl.h"
 
@@ -200,7 +201,7 @@ enum um_status um_orbit_table_read(struct um_context *context, const char *path,
   size_t length;
   UM_TRY(um_core_strdup(context, path, &table->path));
   UM_TRY(um_core_file_read(context, path, BYTES, &text, &length));
-  enum um_status status = um_orbit_oem_is(text) && strlen(text) == length
+  enum um_status status = um_orbit_message_is(text, "OEM") && strlen(text) == length
                               ? um_orbit_oem_read(context, path, text, table)
                               : read_columns(context, path, text, length, table);
   um_core_free(context, text);

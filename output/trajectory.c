@@ -62,29 +62,34 @@ enum um_status um_output_instants_choose(struct um_context *context, const struc
 }
 
 /* Files of a trajectory; NULL: not open. */
-enum { ORBIT, MESSAGE, ATTITUDE, FILES };
-static const char *const names[FILES] = {"orbit.csv", "orbit.oem", "attitude.csv"};
+enum { ORBIT, ORBIT_MESSAGE, ATTITUDE, ATTITUDE_MESSAGE, FILES };
+static const char *const names[FILES] = {"orbit.csv", "orbit.oem", "attitude.csv", "attitude.aem"};
+
+/* Numbers behind a time, into a table and a message. */
+static void put_numbers(FILE *table, FILE *message, const char *utc, const double *value, int n)
+{
+  fputs(utc, table);
+  fputs(utc, message);
+  for (int k = 0; k < n; k++) {
+    char text[32];
+    um_core_csv_put_exact(table, value[k]);
+    um_core_number_text(value[k], text);
+    fprintf(message, " %s", text);
+  }
+  fputc('\n', table);
+  fputc('\n', message);
+}
 
 static void put_row(FILE *const file[FILES], const char *utc, const struct um_environment_sample *s)
 {
-  const double state[] = {s->r.x, s->r.y, s->r.z, s->v.x, s->v.y, s->v.z};
+  const double state[] = {1e-3 * s->r.x, 1e-3 * s->r.y, 1e-3 * s->r.z,
+                          1e-3 * s->v.x, 1e-3 * s->v.y, 1e-3 * s->v.z};
   const double q[] = {s->q.w, s->q.x, s->q.y, s->q.z};
-  fputs(utc, file[ORBIT]);
-  fputs(utc, file[MESSAGE]);
-  for (int k = 0; k < 6; k++) {
-    char text[32];
-    um_core_csv_put_exact(file[ORBIT], 1e-3 * state[k]);
-    um_core_number_text(1e-3 * state[k], text);
-    fprintf(file[MESSAGE], " %s", text);
-  }
-  fputc('\n', file[ORBIT]);
-  fputc('\n', file[MESSAGE]);
-  fputs(utc, file[ATTITUDE]);
-  for (int k = 0; k < 4; k++) um_core_csv_put_exact(file[ATTITUDE], q[k]);
-  fputc('\n', file[ATTITUDE]);
+  put_numbers(file[ORBIT], file[ORBIT_MESSAGE], utc, state, 6);
+  put_numbers(file[ATTITUDE], file[ATTITUDE_MESSAGE], utc, q, 4);
 }
 
-/* The message is dated by its first row: the same scenario gives the same bytes. */
+/* Messages are dated by their first row: the same scenario gives the same bytes. */
 static void put_heads(const struct um_model *model, const struct um_output_instants *instants,
                       FILE *const file[FILES])
 {
@@ -94,11 +99,18 @@ static void put_heads(const struct um_model *model, const struct um_output_insta
   um_orbit_time_format(instants->from + instants->step * (double)(instants->count - 1), last);
   fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", file[ORBIT]);
   fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", file[ATTITUDE]);
-  fprintf(file[MESSAGE],
+  fprintf(file[ORBIT_MESSAGE],
           "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\n"
           "OBJECT_NAME = %s\nOBJECT_ID = %s\nCENTER_NAME = EARTH\nREF_FRAME = GCRF\n"
           "TIME_SYSTEM = UTC\nSTART_TIME = %s\nSTOP_TIME = %s\nINTERPOLATION = HERMITE\n"
           "INTERPOLATION_DEGREE = 3\nMETA_STOP\n\n",
+          first, name, name, first, last);
+  fprintf(file[ATTITUDE_MESSAGE],
+          "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\n"
+          "OBJECT_NAME = %s\nOBJECT_ID = %s\nCENTER_NAME = EARTH\nREF_FRAME_A = GCRF\n"
+          "REF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\nTIME_SYSTEM = UTC\nSTART_TIME = %s\n"
+          "STOP_TIME = %s\nATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = FIRST\nMETA_STOP\n\n"
+          "DATA_START\n",
           first, name, name, first, last);
 }
 
@@ -116,6 +128,7 @@ static enum um_status put_rows(struct um_context *context, const struct um_model
     UM_TRY(um_model_sample_at(context, model, t, &s));
     put_row(file, utc, &s);
   }
+  fputs("DATA_STOP\n", file[ATTITUDE_MESSAGE]);
   return UM_OK;
 }
 

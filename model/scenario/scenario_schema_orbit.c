@@ -221,7 +221,8 @@ OBJECT(slew_object, struct um_scenario_slew, "slew",
 
 #define OF struct um_scenario_attitude_table
 static const struct um_schema_field attitude_table_fields[] = {
-    F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE, HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body")),
+    F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
+      HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body, or an attitude message (AEM)")),
     F(max_gap_s, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e7),
       HELP("longest step that is interpolated; 0: ten times the median")),
 };

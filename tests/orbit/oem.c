@@ -109,7 +109,7 @@ static void refusals(void **state)
       {HEAD META("GCRF", "UTC") "2016-09-21T20:31:00 7000 1 2\n",
        ":12: 4 fields; accepted: a time, 3 of the place, 3 of the velocity"},
       {HEAD META("GCRF", "UTC") "2016-09-21T20:31:00 7000 1 2 0 seven 0\n",
-       ":12: velocity: 'seven'; accepted: a number"},
+       ":12: a row: 'seven'; accepted: a number"},
       {HEAD META("GCRF", "UTC") "2016-09-21T20:31:00 700 1 2 0 7 0\n",
        ":12: the position is 700.004 km from the geocentre; accepted: 6000 to 1e+09 km"},
       {HEAD META("GCRF", "UTC") "2016-09-21T20:31:00 7000 1 2 0 3e5 0\n",

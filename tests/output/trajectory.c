@@ -13,7 +13,7 @@
 #include "tests/support/with_context.h"
 
 #define TABLES  "orbit: {table: t/orbit.csv}\nattitude: [{table: t/attitude.csv}]\n"
-#define MESSAGE "orbit: {table: t/orbit.oem}\nattitude: [{table: t/attitude.csv}]\n"
+#define MESSAGE "orbit: {table: t/orbit.oem}\nattitude: [{table: t/attitude.aem}]\n"
 #define ENVISAT                                                                                    \
   "orbit:\n"                                                                                       \
   "  tle: |\n"                                                                                     \
@@ -118,6 +118,7 @@ static void test_flies_alike(void **state)
     um_model_destroy(context, &b);
     remove("t/orbit.csv");
     remove("t/orbit.oem");
+    remove("t/attitude.aem");
     remove("t/attitude.csv");
     remove("t/.umbra");
     rmdir("t");

@@ -1,0 +1,51 @@
+/* Private to orbit/: messages of CCSDS and CNES as key = value, in segments of keywords and rows.
+ */
+#ifndef UMBRA_ORBIT_MESSAGE_IMPL_H
+#define UMBRA_ORBIT_MESSAGE_IMPL_H
+
+#include "base/core/context.h"
+#include "base/core/vec.h"
+
+#define UM_ORBIT_MESSAGE_WORDS 12 /* of a row, at most */
+
+/* A message while it is read. Who reads fills in the first four. */
+struct um_orbit_message {
+  struct um_context *context;
+  const char *name; /* of the file */
+  const struct um_orbit_message_calls *calls;
+  void *self; /* of the calls */
+  int line;
+  char version;      /* first digit, '1' */
+  bool has_days;     /* of CNES: a time is two numbers */
+  char scale[8];     /* of the segment */
+  bool begins;       /* no row of the segment was read */
+  double last;       /* time of the row before [s]; -INFINITY */
+  double bias[3][3]; /* GCRS to EME2000 */
+};
+struct um_orbit_message_calls {
+  void (*begin)(void *self); /* META_START; NULL: nothing to do */
+  /* what stands between META_START and META_STOP, but for TIME_SYSTEM */
+  enum um_status (*key)(const struct um_orbit_message *m, void *self, const char *key,
+                        const char *value);
+  enum um_status (*ready)(const struct um_orbit_message *m,
+                          void *self); /* META_STOP; NULL: no checks */
+  /* values: number [count], behind the time */
+  enum um_status (*row)(const struct um_orbit_message *m, void *self, double t_tai,
+                        const double *number, size_t count);
+  size_t least, most; /* numbers of a row: one or the other */
+  const char *row_is; /* "a time, 3 of the place, 3 of the velocity" */
+};
+
+/* Does a text begin as a message of that kind, "OEM", does? */
+bool um_orbit_message_is(const char *text, const char *kind);
+/* All of it; the text is written into. Times ascend; a segment may begin with the last row of the
+ * one before, which is passed over. UM_ERR_INPUT naming file, line and what is accepted. */
+enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text);
+/* UM_ERR_INPUT "file:line: key: 'value'; accepted: ...". */
+enum um_status um_orbit_message_refuse(const struct um_orbit_message *m, const char *key,
+                                       const char *value, const char *accepted);
+
+/* Frames that do not turn: GCRF, ICRF, and EME2000, which the bias turns. */
+bool um_orbit_message_is_inertial(const char *frame, bool *biased);
+
+#endif

@@ -1,0 +1,119 @@
+/* Attitude messages: every direction, order and frame says the same turn; every fault's message. */
+#include "attitude_test.h"
+
+#define HEAD "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2016-265T00:00:00\nORIGINATOR = X\n"
+#define META(a, b, dir, type)                                                                      \
+  "META_START\nOBJECT_NAME = A SAT\nREF_FRAME_A = " a "\nREF_FRAME_B = " b "\nATTITUDE_DIR = " dir \
+  "\nTIME_SYSTEM = UTC\nATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = " type                       \
+  "\nMETA_STOP\nDATA_START\n"
+/* 0 and 90 deg about z, the scalar first and last, and the other way round */
+#define FIRST                                                                                      \
+  "2016-09-21T20:00:00 1 0 0 0\n2016-265T20:00:30 0.70710678118654752 0 0 0.70710678118654752\n"
+#define LAST                                                                                       \
+  "2016-09-21T20:00:00 0 0 0 1\n2016-09-21T20:00:30 0 0 0.70710678118654752 0.70710678118654752\n"
+#define BACK                                                                                       \
+  "2016-09-21T20:00:00 1 0 0 0\n2016-09-21T20:00:30 0.70710678118654752 0 0 "                      \
+  "-0.70710678118654752\n"
+#define STOP "DATA_STOP\n"
+
+/* Where the inertial x axis stands in the body after 10 s of the turn. */
+static struct um_vec3 x_axis(struct um_context *context, const char *text)
+{
+  char path[256];
+  scratch_write("aem", text, path);
+  struct um_orbit_attitude *attitude = attitude_of(
+      context, (struct um_orbit_attitude_law){.kind = UM_ATTITUDE_TABLE, .table_path = path});
+  struct um_orbit_attitude_input input = input_at(utc(context, "2016-09-21T20:00:10Z"));
+  struct um_vec3 x = um_quat_apply(attitude_at(context, attitude, &input), um_vec3(1, 0, 0));
+  um_orbit_attitude_destroy(&attitude);
+  remove(path);
+  return x;
+}
+
+/* 30 deg about z: the body turns toward +y, and sees the axis go toward -y. */
+static void turns(void **state)
+{
+  struct um_context *context = *state;
+  static const char *const texts[] = {
+      HEAD META("GCRF", "SC_BODY_1", "A2B", "FIRST") FIRST STOP,
+      HEAD META("ICRF", "SC_BODY_1", "A2B", "LAST") LAST STOP,
+      HEAD META("SC_BODY_1", "GCRF", "B2A", "FIRST") FIRST STOP,
+      HEAD META("GCRF", "SC_BODY_1", "B2A", "FIRST") BACK STOP,
+      HEAD META("SC_BODY_1", "GCRF", "A2B", "FIRST") BACK STOP,
+      /* version 2 */
+      "CCSDS_AEM_VERS = 2.0\nMETA_START\nREF_FRAME_A = GCRF\nREF_FRAME_B = SC_BODY_1\n"
+      "TIME_SYSTEM = UTC\nATTITUDE_TYPE = QUATERNION\nMETA_STOP\nDATA_START\n" LAST STOP,
+      /* of CNES; MJD 57652 is 2016-09-21 */
+      "CIC_AEM_VERS = 1.0\n" META("ICRF", "SATELLITE_FRAME", "A2B",
+                                  "FIRST") "57652 72000.0 1 0 0 0\n57652 72030.0 "
+                                           "0.70710678118654752 0 0 0.70710678118654752\n",
+  };
+  const double angle = 30.0 * UM_DEG;
+  for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
+    assert_vec_near(x_axis(context, texts[k]), um_vec3(cos(angle), -sin(angle), 0.0), 1e-8);
+}
+
+/* The bias of EME2000, -14.6 mas of the equinox and -16.617 mas of the pole (IERS TN36, 5.6): the x
+ * axis of GCRS in EME2000 is (1, 14.6 mas, -16.617 mas). */
+static void frame_bias(void **state)
+{
+  struct um_context *context = *state;
+  const double angle = 30.0 * UM_DEG, y = 14.6e-3 * UM_ARCSEC, z = -16.617e-3 * UM_ARCSEC;
+  struct um_vec3 x = x_axis(context, HEAD META("EME2000", "SC_BODY_1", "A2B", "FIRST") FIRST STOP);
+  assert_vec_near(x, um_vec3(cos(angle) + y * sin(angle), y * cos(angle) - sin(angle), z),
+                  2e-10 + 1e-8);
+  assert_close(x.z, z, 2e-10); /* no turn about z moves it */
+}
+
+static void refusals(void **state)
+{
+  struct um_context *context = *state;
+  static const struct {
+    const char *text, *message;
+  } cases[] = {
+      {HEAD META("ITRF", "SC_BODY_1", "A2B", "FIRST") FIRST,
+       ":6: REF_FRAME_A: 'ITRF'; accepted: GCRF, ICRF, EME2000, SC_BODY_1, SATELLITE_FRAME"},
+      {HEAD META("GCRF", "ICRF", "A2B", "FIRST") FIRST,
+       ":12: the segment has no frame of the body; accepted: REF_FRAME_A or B"},
+      {HEAD META("SC_BODY_1", "SC_BODY_2", "A2B", "FIRST") FIRST,
+       ":12: the segment has no frame that does not turn; accepted: REF_FRAME_A or B"},
+      {HEAD META("GCRF", "SC_BODY_1", "B2C", "FIRST") FIRST,
+       ":8: ATTITUDE_DIR: 'B2C'; accepted: A2B, B2A"},
+      {HEAD META("GCRF", "SC_BODY_1", "A2B", "MIDDLE") FIRST,
+       ":11: QUATERNION_TYPE: 'MIDDLE'; accepted: FIRST, LAST"},
+      {HEAD "META_START\nATTITUDE_TYPE = SPIN\n",
+       ":5: ATTITUDE_TYPE: 'SPIN'; accepted: QUATERNION"},
+      {HEAD "META_START\nREF_FRAME_A = GCRF\nREF_FRAME_B = SC_BODY_1\nTIME_SYSTEM = UTC\n"
+            "ATTITUDE_TYPE = QUATERNION\nMETA_STOP\n",
+       ":9: the segment has no ATTITUDE_DIR"},
+      {HEAD META("GCRF", "SC_BODY_1", "A2B", "FIRST") "2016-09-21T20:00:00 1 0 0 0.1\n",
+       ":14: the quaternion has norm 1.00499, 1 within 0.001 is accepted"},
+      {HEAD META("GCRF", "SC_BODY_1", "A2B", "FIRST") "2016-09-21T20:00:00 1 0 0\n",
+       ":14: 4 fields; accepted: a time, 4 of a quaternion"},
+      {HEAD META("GCRF", "SC_BODY_1", "A2B", "FIRST") "2016-09-21T20:00:00 1 0 0 0\n",
+       ": 1 rows, at least 2 are accepted"},
+      {HEAD META("GCRF", "SC_BODY_1", "A2B", "FIRST") FIRST "2016-09-21T20:01:00 1 0 0 0\n"
+                                                            "2016-09-21T21:01:00 1 0 0 0\n",
+       ": a gap of 3600.000 s before 2016-09-21T21:01:00.000Z, at most 300.000 s is accepted"},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    struct um_orbit_attitude *attitude = NULL;
+    char path[256];
+    scratch_write("aem", cases[k].text, path);
+    struct um_orbit_attitude_law law = {.kind = UM_ATTITUDE_TABLE, .table_path = path};
+    assert_int_equal(um_orbit_attitude_create(context, &law, 1, &attitude), UM_ERR_INPUT);
+    remove(path);
+    assert_string_equal(um_core_message(context) + strlen(path), cases[k].message);
+    assert_null(attitude);
+    um_core_message_clear(context);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(turns, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(frame_bias, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(refusals, context_setup, context_teardown)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
