@@ -22,6 +22,7 @@ struct reader {
   char scalar;         /* 'F' first, 'L' last */
   bool biased;         /* EME2000 */
   bool is_quaternion;
+  struct um_quat bias; /* GCRS to the frame that does not turn */
 };
 
 static void begin(void *self)
@@ -84,6 +85,14 @@ static enum um_status missing(const struct um_orbit_message *m, const char *what
                       what);
 }
 
+static struct um_quat gcrs_to_eme2000(const struct um_orbit_message *m)
+{
+  struct um_mat3 b;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) b.m[i][k] = m->bias[i][k];
+  return um_core_quat_from_matrix(b);
+}
+
 static enum um_status ready(const struct um_orbit_message *m, void *self)
 {
   struct reader *r = self;
@@ -93,15 +102,8 @@ static enum um_status ready(const struct um_orbit_message *m, void *self)
   if (r->body == 0) return missing(m, "frame of the body; accepted: REF_FRAME_A or B");
   if (r->from == 0) return missing(m, "ATTITUDE_DIR");
   if (!r->is_quaternion) return missing(m, "ATTITUDE_TYPE");
+  if (r->biased) r->bias = gcrs_to_eme2000(m);
   return r->scalar != 0 ? UM_OK : missing(m, "QUATERNION_TYPE");
-}
-
-static struct um_quat gcrs_to_eme2000(const struct um_orbit_message *m)
-{
-  struct um_mat3 b;
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 3; k++) b.m[i][k] = m->bias[i][k];
-  return um_core_quat_from_matrix(b);
 }
 
 static enum um_status reserve(struct um_context *context, struct reader *r)
@@ -127,7 +129,7 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
                         "%s:%d: the quaternion has norm %.6g, 1 within %g is accepted", m->name,
                         m->line, norm, UM_ORBIT_ATTITUDE_NORM);
   if (r->from != r->inertial) q = um_quat_conjugate(q);
-  if (r->biased) q = um_quat_then(gcrs_to_eme2000(m), q);
+  if (r->biased) q = um_quat_then(r->bias, q);
   UM_TRY(reserve(m->context, r));
   r->table->t[r->table->n] = t_tai;
   r->table->q[r->table->n++] = um_quat_normalize(q);
@@ -147,8 +149,5 @@ enum um_status um_orbit_aem_read(struct um_context *context, const char *name, c
 {
   struct reader r = {.table = table};
   struct um_orbit_message m = {.context = context, .name = name, .calls = &calls, .self = &r};
-  UM_TRY(um_orbit_message_read(&m, text));
-  if (table->n >= 2) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "%s: %zu rows, at least 2 are accepted", name,
-                      table->n);
+  return um_orbit_message_read(&m, text);
 }

@@ -79,10 +79,29 @@ static enum um_status take_row(struct um_orbit_message *m, char *const *word, si
                         "%s:%d: %s is not after the row before it; ascending times are accepted",
                         m->name, m->line, word[first - 1]);
   m->last = t;
+  m->rows++;
   return calls->row(m, m->self, t, number, count - first);
 }
 
 /* --- lines ------------------------------------------------------------------------------------ */
+
+/* Blanks off both ends of [text, end), which is ended there. */
+static char *trim(char *text, char *end)
+{
+  while (text < end && strchr(" \t\r", *text) != NULL) text++;
+  while (end > text && strchr(" \t\r", end[-1]) != NULL) end--;
+  *end = '\0';
+  return text;
+}
+
+bool um_orbit_message_pair(char *line, char **key, char **value)
+{
+  char *equals = strchr(line, '=');
+  if (equals == NULL) return false;
+  *value = trim(equals + 1, equals + 1 + strlen(equals + 1));
+  *key = trim(line, equals);
+  return true;
+}
 
 /* Words of a line, which is written into; more than fit are not told apart. */
 static size_t split(char *line, char *word[UM_ORBIT_MESSAGE_WORDS])
@@ -119,7 +138,13 @@ static enum um_status end_meta(struct um_orbit_message *m, enum place *place)
 
 static enum um_status take_line(struct um_orbit_message *m, char *line, enum place *place)
 {
-  char *word[UM_ORBIT_MESSAGE_WORDS];
+  char *word[UM_ORBIT_MESSAGE_WORDS], *key, *value;
+  bool is_pair = *place < ROWS && um_orbit_message_pair(line, &key, &value);
+  if (is_pair && strncmp(key, "COMMENT", 7) != 0) {
+    if (*place == META) return take_key(m, key, value);
+    if (strstr(key, "_VERS") != NULL) m->version = value[0];
+    return UM_OK;
+  }
   size_t count = split(line, word);
   if (count == 0 || strcmp(word[0], "COMMENT") == 0 || strcmp(word[0], "DATA_START") == 0 ||
       strcmp(word[0], "DATA_STOP") == 0)
@@ -134,10 +159,7 @@ static enum um_status take_line(struct um_orbit_message *m, char *line, enum pla
   if (strcmp(word[0], "COVARIANCE_START") == 0) *place = COVARIANCE;
   if (*place == ROWS) return take_row(m, word, count);
   if (strcmp(word[0], "COVARIANCE_STOP") == 0) *place = ROWS;
-  bool is_pair = count >= 3 && strcmp(word[1], "=") == 0;
-  if (*place == HEADER && is_pair && strstr(word[0], "_VERS") != NULL) m->version = word[2][0];
   if (*place != META) return UM_OK;
-  if (is_pair) return take_key(m, word[0], word[2]);
   return um_orbit_message_refuse(m, "a line between META_START and META_STOP", word[0],
                                  "KEYWORD = value");
 }
@@ -158,5 +180,7 @@ enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text)
     if (m->line % 4096 == 0) UM_TRY(um_core_stop_check(m->context, "a message was read"));
     UM_TRY(take_line(m, at, &place));
   }
-  return UM_OK;
+  if (m->rows >= 2) return UM_OK;
+  return um_core_fail(m->context, UM_ERR_INPUT, "%s: %zu rows, at least 2 are accepted", m->name,
+                      m->rows);
 }

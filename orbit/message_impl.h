@@ -19,6 +19,7 @@ struct um_orbit_message {
   bool has_days;     /* of CNES: a time is two numbers */
   char scale[8];     /* of the segment */
   bool begins;       /* no row of the segment was read */
+  size_t rows;       /* read so far */
   double last;       /* time of the row before [s]; -INFINITY */
   double bias[3][3]; /* GCRS to EME2000 */
 };
@@ -38,8 +39,11 @@ struct um_orbit_message_calls {
 
 /* Does a text begin as a message of that kind, "OEM", does? */
 bool um_orbit_message_is(const char *text, const char *kind);
-/* All of it; the text is written into. Times ascend; a segment may begin with the last row of the
- * one before, which is passed over. UM_ERR_INPUT naming file, line and what is accepted. */
+/* "KEYWORD = value" without the blanks around both; the line is written into. false: no '='. */
+bool um_orbit_message_pair(char *line, char **key, char **value);
+/* All of it; the text is written into. At least two rows. Times ascend; a segment may begin with
+ * the last row of the one before, which is passed over. UM_ERR_INPUT naming file, line and what is
+ * accepted. */
 enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text);
 /* UM_ERR_INPUT "file:line: key: 'value'; accepted: ...". */
 enum um_status um_orbit_message_refuse(const struct um_orbit_message *m, const char *key,

@@ -14,13 +14,13 @@
 struct reader {
   struct um_orbit_table *table;
   size_t room;
-  bool biased; /* of the segment */
+  bool framed, biased; /* of the segment: its frame was said, is EME2000 */
 };
 
 static void begin(void *self)
 {
   struct reader *r = self;
-  r->biased = false;
+  r->framed = r->biased = false;
 }
 
 static enum um_status take_key(const struct um_orbit_message *m, void *self, const char *key,
@@ -29,9 +29,17 @@ static enum um_status take_key(const struct um_orbit_message *m, void *self, con
   struct reader *r = self;
   if (strcmp(key, "CENTER_NAME") == 0 && strcmp(value, "EARTH") != 0)
     return um_orbit_message_refuse(m, key, value, "EARTH");
-  if (strcmp(key, "REF_FRAME") == 0 && !um_orbit_message_is_inertial(value, &r->biased))
-    return um_orbit_message_refuse(m, key, value, "GCRF, ICRF, EME2000");
-  return UM_OK;
+  if (strcmp(key, "REF_FRAME") != 0) return UM_OK;
+  r->framed = um_orbit_message_is_inertial(value, &r->biased);
+  return r->framed ? UM_OK : um_orbit_message_refuse(m, key, value, "GCRF, ICRF, EME2000");
+}
+
+static enum um_status ready(const struct um_orbit_message *m, void *self)
+{
+  const struct reader *r = self;
+  if (r->framed) return UM_OK;
+  return um_core_fail(m->context, UM_ERR_INPUT, "%s:%d: the segment has no REF_FRAME", m->name,
+                      m->line);
 }
 
 static struct um_vec3 in_gcrs(const struct um_orbit_message *m, bool biased, const double x[3])
@@ -80,6 +88,7 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
 static const struct um_orbit_message_calls calls = {
     .begin = begin,
     .key = take_key,
+    .ready = ready,
     .row = take_row,
     .least = 6,
     .most = 9,
@@ -90,8 +99,5 @@ enum um_status um_orbit_oem_read(struct um_context *context, const char *name, c
 {
   struct reader r = {.table = table};
   struct um_orbit_message m = {.context = context, .name = name, .calls = &calls, .self = &r};
-  UM_TRY(um_orbit_message_read(&m, text));
-  if (table->n >= 2) return UM_OK;
-  return um_core_fail(context, UM_ERR_INPUT, "%s: %zu rows, at least 2 are accepted", name,
-                      table->n);
+  return um_orbit_message_read(&m, text);
 }

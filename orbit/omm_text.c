@@ -6,24 +6,18 @@
 
 #include "base/core/csv.h"
 #include "base/document/schema.h"
+#include "orbit/message_impl.h"
 #include "orbit/omm_impl.h"
 
 /* --- key = value ----------------------------------------------------------------------------- */
-
-/* Blanks off both ends of [text, end), which is ended there. */
-static char *trim(char *text, char *end)
-{
-  while (text < end && strchr(" \t\r", *text) != NULL) text++;
-  while (end > text && strchr(" \t\r", end[-1]) != NULL) end--;
-  *end = '\0';
-  return text;
-}
 
 /* A value without its unit, "98.2 [deg]". */
 static char *without_unit(char *value)
 {
   char *unit = strchr(value, '[');
-  return unit != NULL ? trim(value, unit) : value;
+  while (unit != NULL && unit > value && strchr(" \t", unit[-1]) != NULL) unit--;
+  if (unit != NULL) *unit = '\0';
+  return value;
 }
 
 enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, char *text,
@@ -35,14 +29,15 @@ enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, ch
     char *end = at + strcspn(at, "\n");
     next = *end != '\0' ? end + 1 : NULL;
     line++;
-    char *key = trim(at, end), *equals = strchr(key, '=');
-    if (key[0] == '\0' || (strncmp(key, "COMMENT", 7) == 0 && strchr(" \t", key[7]) != NULL))
+    *end = '\0';
+    char *begin = at + strspn(at, " \t\r"), *key, *value;
+    if (begin[0] == '\0' ||
+        (strncmp(begin, "COMMENT", 7) == 0 && strchr(" \t\r", begin[7]) != NULL))
       continue;
-    if (equals == NULL)
+    if (!um_orbit_message_pair(begin, &key, &value))
       return um_core_fail(context, UM_ERR_INPUT, "%s:%d: '%.40s'; accepted: KEYWORD = value", name,
-                          line, key);
-    char *value = without_unit(trim(equals + 1, equals + 1 + strlen(equals + 1)));
-    key = trim(key, equals);
+                          line, begin);
+    value = without_unit(value);
     if (strcmp(key, "CCSDS_OMM_VERS") == 0) {
       if (omm.begin > 0) UM_TRY(um_orbit_omm_add(context, name, &omm, out));
       omm = (struct um_orbit_omm){.begin = line};

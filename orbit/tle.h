@@ -16,6 +16,7 @@ struct um_orbit_tle {
   double inclination, raan, eccentricity, argument_of_perigee, mean_anomaly; /* [rad], [1] */
 };
 
+/* Sets of one object, rising in epoch (orbit/elements.h). */
 struct um_orbit_elements {
   struct um_orbit_tle *set; /* [count] */
   size_t count;

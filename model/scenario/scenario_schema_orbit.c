@@ -76,9 +76,7 @@ OBJECT(points_object, struct um_scenario_points, "points",
 static const struct um_schema_field elements_fields[] = {
     F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
       HELP("two-line elements, or mean-elements messages (OMM) as key = value, XML, JSON or CSV; "
-           "where "
-           "it "
-           "has several sets, the nearest in time serves at each instant")),
+           "of several sets the nearest in time serves")),
     F(object, UM_SCHEMA_INTEGER, DEFAULT(0), BETWEEN(0, 999999999),
       HELP("catalogue number; 0: the only one of the file")),
 };

@@ -44,6 +44,9 @@ static void scales(void **state)
   double t = utc(context, "2016-09-21T20:31:00Z");
   expect_first(context, HEAD META("GCRF", "UTC") ROW_1 ROW_2, t, 1e-9);
   expect_first(context, HEAD META("ICRF", "TAI") ROW_1 ROW_2, t - 36.0, 1e-9);
+  expect_first(context,
+               HEAD "META_START\nREF_FRAME=GCRF\nTIME_SYSTEM= UTC\nMETA_STOP\n" ROW_1 ROW_2, t,
+               1e-9);
   expect_first(context, HEAD META("GCRF", "TT") ROW_1 ROW_2, t - 36.0 - 32.184, 1e-9);
   expect_first(context, HEAD META("GCRF", "GPS") ROW_1 ROW_2, t - 17.0, 1e-9);
   /* of CNES, MJD 57652 is 2016-09-21; blank lines and comments */
@@ -103,6 +106,7 @@ static void refusals(void **state)
       {HEAD "META_START\nREF_FRAME = GCRF\nMETA_STOP\n", ":6: the segment has no TIME_SYSTEM"},
       {HEAD "META_START\nREF_FRAME GCRF\n",
        ":5: a line between META_START and META_STOP: 'REF_FRAME'; accepted: KEYWORD = value"},
+      {HEAD "META_START\nTIME_SYSTEM=UTC\nMETA_STOP\n", ":6: the segment has no REF_FRAME"},
       {HEAD META("GCRF", "UTC") ROW_1, ": 1 rows, at least 2 are accepted"},
       {HEAD META("GCRF", "UTC") ROW_1 ROW_1,
        ":13: 2016-09-21T20:31:00.000 is not after the row before it; ascending times are accepted"},
@@ -118,8 +122,9 @@ static void refusals(void **state)
        ":12: time: '2016-09-31T20:31:00'; accepted: a time of GPS like 2016-09-21T20:33:00 from "
        "1960 "
        "to 2100"},
-      {"CIC_OEM_VERS = 1.0\nMETA_START\nTIME_SYSTEM = UTC\nMETA_STOP\n57652.5 0 7000 1 2 0 7 0\n",
-       ":5: time: '57652.5'; accepted: a modified Julian day and seconds of it, 57652 73862.0"},
+      {"CIC_OEM_VERS = 1.0\nMETA_START\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\nMETA_STOP\n57652.5 0 "
+       "7000 1 2 0 7 0\n",
+       ":6: time: '57652.5'; accepted: a modified Julian day and seconds of it, 57652 73862.0"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     struct um_orbit_trajectory *orbit = NULL;
