@@ -37,14 +37,14 @@ static const struct um_app_verb verbs[] = {
               "orbit's mean heat, or balance of an instant. A table of margins, limits.csv and a "
               "picture. Exit status 4 where a limit is exceeded.",
      .examples = "umbra cases scenarios/cube\n", .run = um_app_cases, .group = UM_APP_SIMULATE},
-    {"export", "SCENARIO", "meshes, orbits, couplings of a scenario for other programs",
+    {"export", "SCENARIO", "meshes, orbits, heat networks of a scenario for other programs",
      .needs = "as", .accepts = "target " CHANGES " force",
      .about = "The environment variable UMBRA_CACHE names a folder where view factors are kept "
               "between runs.",
      .examples =
          "umbra export scenarios/envisat-graz-2016 --as mesh -o envisat.obj\n"
          "umbra export scenarios/envisat-graz-2016 --as trajectory -o out/envisat-trajectory\n"
-         "umbra export scenarios/envisat-graz-2016 --as exchange -o out/factors\n",
+         "umbra export scenarios/cube --as network -o out/network\n",
      .listed = "Kinds", .list = um_app_export_list, .run = um_app_export, .group = UM_APP_SIMULATE},
     {"forecast", "SCENARIO", "passes over days: when, how bright, how warm",
      .accepts = "times out days from station minimum-elevation uncertain " CHANGES

@@ -1,5 +1,5 @@
-/* A part whose heat is stated as nodes and conductors in two tables; its shape and its materials
- * stay for light and radiation. */
+/* A part whose heat is stated as nodes and conductors in two tables, or as a network of ESATAN; its
+ * shape and its materials stay for light and radiation. */
 #include "model/build/steps_impl.h"
 
 #include <string.h>
@@ -34,14 +34,21 @@ static enum um_status check_keys(struct um_context *context, const struct um_sce
   return UM_OK;
 }
 
+/* Where a network stands. */
+struct stated {
+  const char *nodes, *conductors; /* conductors NULL: a file of ESATAN */
+};
+
 /* The line of a node, for what is wrong with its name. */
-static enum um_status refuse_name(struct um_context *context, const char *path, const char *name,
-                                  const char *why)
+static enum um_status refuse_name(struct um_context *context, const struct stated *in,
+                                  const char *name, const char *why)
 {
   enum um_status status;
   struct um_core_csv *csv = NULL;
   size_t column = 0, row = 0;
-  UM_CHECK(um_core_csv_read(context, path, &csv));
+  if (in->conductors == NULL)
+    return um_core_fail(context, UM_ERR_INPUT, "%s: node '%.100s' %s", in->nodes, name, why);
+  UM_CHECK(um_core_csv_read(context, in->nodes, &csv));
   UM_CHECK(um_core_csv_require(context, csv, "name", &column));
   while (row + 1 < um_core_csv_rows(csv) && strcmp(um_core_csv_text(csv, row, column), name) != 0)
     row++;
@@ -51,25 +58,26 @@ done:
   return status;
 }
 
-static enum um_status check_inside(struct um_context *context, const char *path, const char *name)
+static enum um_status check_inside(struct um_context *context, const struct stated *in,
+                                   const char *name)
 {
   static const char *const taken[] = {"front", "back", "wall", "inside"};
   if (!um_model_name_is_plain(name))
     return refuse_name(
-        context, path, name,
+        context, in, name,
         "is no group of the part, and no name for a place inside; accepted: a group, "
         "GROUP.back, or a name without . / : , ; and quotes");
   for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++)
     if (strcmp(name, taken[i]) == 0)
-      return refuse_name(context, path, name,
+      return refuse_name(context, in, name,
                          "is a side of the part; accepted: its groups, GROUP.back, other names");
   return UM_OK;
 }
 
 /* Every group has its node; a back without a radiating surface has none. */
 static enum um_status check_groups(struct um_context *context, const struct um_model *model,
-                                   const struct um_thermal_network *network, const char *path,
-                                   uint32_t part, bool *outside)
+                                   const struct um_thermal_network *network,
+                                   const struct stated *in, uint32_t part, bool *outside)
 {
   const struct um_geometry *geometry = model->geometry;
   for (uint32_t g = 0; g < um_geometry_group_count(geometry); g++) {
@@ -82,20 +90,21 @@ static enum um_status check_groups(struct um_context *context, const struct um_m
           context, UM_ERR_INPUT,
           "%s: no node '%s', which is a group of the part '%s'; accepted: a node of "
           "the name of each group",
-          path, group->name, um_geometry_part_name(geometry, part));
+          in->nodes, group->name, um_geometry_part_name(geometry, part));
     outside[front] = true;
     if (back == NONE) continue;
     if (group->back_material == UM_GEOMETRY_NONE)
       return refuse_name(
-          context, path, um_thermal_network_name(network, (uint32_t)back),
+          context, in, um_thermal_network_name(network, (uint32_t)back),
           "is the back of a group that has none; accepted: its front, which is both");
     outside[back] = true;
   }
   return UM_OK;
 }
 
-static enum um_status fill(struct um_context *context, struct um_model *model, const char *path,
-                           const bool *outside, struct um_thermal_part_spec *to)
+static enum um_status fill(struct um_context *context, struct um_model *model,
+                           const struct stated *in, const bool *outside,
+                           struct um_thermal_part_spec *to)
 {
   const struct um_thermal_network *network = to->network;
   size_t n = um_thermal_network_nodes(network);
@@ -106,9 +115,9 @@ static enum um_status fill(struct um_context *context, struct um_model *model, c
     const char *name = um_thermal_network_name(network, i);
     double temperature = um_thermal_network_temperature(network, i);
     bool held = um_thermal_network_kind(network, i) == UM_NODE_BOUNDARY;
-    UM_TRY(check_inside(context, path, name));
+    UM_TRY(check_inside(context, in, name));
     if (!(temperature > 0.0))
-      return refuse_name(context, path, name, "begins at 0 K; accepted: above 0 K");
+      return refuse_name(context, in, name, "begins at 0 K; accepted: above 0 K");
     to->interior[to->ninterior++] =
         (struct um_thermal_interior_spec){.name = name,
                                           .capacity = um_thermal_network_capacity(network, i),
@@ -124,18 +133,19 @@ enum um_status um_model_build_network(struct um_context *context, struct um_mode
                                       struct um_thermal_part_spec *to)
 {
   enum um_status status;
-  const char *nodes = NULL, *conductors = NULL;
+  struct stated in = {NULL, NULL};
   bool *outside = NULL;
   UM_TRY(check_keys(context, part));
-  UM_CHECK(um_model_resolve(context, model, &part->network->at, part->network->nodes, &nodes));
-  UM_CHECK(
-      um_model_resolve(context, model, &part->network->at, part->network->conductors, &conductors));
-  UM_CHECK(um_thermal_network_read(context, nodes, conductors, &to->network));
+  UM_CHECK(um_model_resolve(context, model, &part->network->at, part->network->nodes, &in.nodes));
+  if (part->network->conductors != NULL)
+    UM_CHECK(um_model_resolve(context, model, &part->network->at, part->network->conductors,
+                              &in.conductors));
+  UM_CHECK(um_thermal_network_read(context, in.nodes, in.conductors, &to->network));
   to->kind = UM_THERMAL_NODES;
   UM_CHECK(
       um_core_allocate(context, um_thermal_network_nodes(to->network), sizeof *outside, &outside));
-  UM_CHECK(check_groups(context, model, to->network, nodes, index, outside));
-  UM_CHECK(fill(context, model, nodes, outside, to));
+  UM_CHECK(check_groups(context, model, to->network, &in, index, outside));
+  UM_CHECK(fill(context, model, &in, outside, to));
 done:
   um_core_free(context, outside);
   return um_model_blame(context, &part->network->at, NULL, status);

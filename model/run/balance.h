@@ -16,5 +16,11 @@ enum um_status um_model_balance_steady(struct um_context *context, const struct 
  * average over. */
 enum um_status um_model_balance_orbit(struct um_context *context, const struct um_model *model,
                                       const struct um_model_tables *tables, double *temperature);
+/* The balance of an orbit's mean as a network of nodes and conductors, which begin at its
+ * temperatures (thermal/solver/flat.h); where no whole orbit is computed, that of the first
+ * observation. The caller destroys. */
+enum um_status um_model_balance_network(struct um_context *context, const struct um_model *model,
+                                        const struct um_model_tables *tables,
+                                        struct um_thermal_network **out);
 
 #endif

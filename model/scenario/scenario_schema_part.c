@@ -159,11 +159,10 @@ OBJECT(solid_object, struct um_scenario_solid, "solid",
 #define OF struct um_scenario_network
 static const struct um_schema_field network_fields[] = {
     F(nodes, UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED,
-      HELP(
-          "CSV name,kind,capacity_J_K,T0_K,power_W; kind diffusive, arithmetic or boundary. A node "
-          "of the name of each group, and GROUP.back, carries its surfaces; all others are "
-          "inside")),
-    F(conductors, UM_SCHEMA_TEXT, NAMES_FILE, REQUIRED,
+      HELP("CSV name,kind,capacity_J_K,T0_K,power_W; kind diffusive, arithmetic or boundary. Or a "
+           "network of ESATAN, a file .d, without conductors beside it. A node of the name of each "
+           "group, and GROUP.back, carries its surfaces; all others are inside")),
+    F(conductors, UM_SCHEMA_TEXT, NAMES_FILE,
       HELP("CSV kind,a,b,value; kind GL [W/K] or GR [m2], GR also to space")),
 };
 #undef OF

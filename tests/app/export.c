@@ -109,7 +109,8 @@ static void test_refusals(void **state)
   command_write("there.obj", "mine\n");
   static const struct failure failures[] = {
       {{"export", "box.yaml", "--as", "meshes", "-o", "x"},
-       "--as meshes: unknown; did you mean 'mesh'?; accepted: exchange, facets, mesh, trajectory"},
+       "--as meshes: unknown; did you mean 'mesh'?; accepted: exchange, facets, mesh, network, "
+       "trajectory"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "there.obj"},
        "there.obj: exists; accepted: a new name, or --force"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "x.stl"},

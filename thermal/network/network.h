@@ -186,8 +186,10 @@ bool um_thermal_network_optics_equal(const struct um_thermal_network *a,
 /* The same of what they do to sunlight. */
 bool um_thermal_network_solar_equal(const struct um_thermal_network *a,
                                     const struct um_thermal_network *b);
-/* Read nodes.csv and conductors.csv (see the scenario reference). Errors name file and line. */
-enum um_status um_thermal_network_read(struct um_context *context, const char *nodes_csv,
-                                       const char *conductors_csv, struct um_thermal_network **out);
+/* Read nodes.csv and conductors.csv (see the scenario reference), or a file .d of ESATAN and no
+ * conductors (NULL): its nodes have the labels that no other has, else their numbers, as names.
+ * Errors name file and line. */
+enum um_status um_thermal_network_read(struct um_context *context, const char *nodes,
+                                       const char *conductors, struct um_thermal_network **out);
 
 #endif

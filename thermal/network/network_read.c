@@ -1,4 +1,5 @@
-/* A node model from two tables in place of a mesh:
+/* A node model from two tables in place of a mesh, or from one file .d of ESATAN
+ * (thermal/network/esatan.c):
  *
  *   nodes.csv       name,kind,capacity_J_K,T0_K,power_W     kind diffusive, arithmetic or boundary
  *   conductors.csv  kind,a,b,value                          GL [W/K] or GR [m2]; GR also to `space`
@@ -8,9 +9,13 @@
 #include <string.h>
 
 #include "base/core/csv.h"
+#include "base/core/file.h"
 #include "base/core/sort.h"
 #include "base/core/suggestions.h"
+#include "thermal/network/esatan_impl.h"
 #include "thermal/network/network_group.h"
+
+#define ESATAN_BYTES ((size_t)64 << 20) /* most of a file .d */
 
 /* Column or 0 when the field is empty. */
 static enum um_status number_or_zero(struct um_context *context, const struct um_core_csv *csv,
@@ -173,8 +178,8 @@ static enum um_status links_read(struct um_context *context, const struct um_cor
   return UM_OK;
 }
 
-enum um_status um_thermal_network_read(struct um_context *context, const char *nodes_csv,
-                                       const char *conductors_csv, struct um_thermal_network **out)
+static enum um_status tables_read(struct um_context *context, const char *nodes_csv,
+                                  const char *conductors_csv, struct um_thermal_network **out)
 {
   enum um_status status;
   struct um_core_csv *nodes = NULL, *links = NULL;
@@ -194,5 +199,33 @@ done:
   um_thermal_network_destroy(&network);
   um_core_csv_destroy(&links);
   um_core_csv_destroy(&nodes);
+  return status;
+}
+
+enum um_status um_thermal_network_read(struct um_context *context, const char *nodes,
+                                       const char *conductors, struct um_thermal_network **out)
+{
+  enum um_status status;
+  char *text = NULL;
+  size_t length = 0;
+  *out = NULL;
+  UM_CHECK(um_core_file_read(context, nodes, ESATAN_BYTES, &text, &length));
+  bool esatan = um_thermal_esatan_is(text);
+  if (esatan && conductors != NULL)
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: this is a network of ESATAN, which has its conductors; accepted: no "
+                          "conductors beside it",
+                          nodes);
+  else if (esatan)
+    status = um_thermal_esatan_read(context, nodes, text, out);
+  else if (conductors == NULL)
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: a table of nodes wants a table of conductors; accepted: conductors "
+                          "beside it, or a file .d of ESATAN, which begins with $MODEL",
+                          nodes);
+  else
+    status = tables_read(context, nodes, conductors, out);
+done:
+  um_core_free(context, text);
   return status;
 }

@@ -79,6 +79,27 @@ static void tables_are_the_lumped_walls(void **state)
   }
 }
 
+/* The same from one file of ESATAN, nodes by label; `room` is held. */
+static void esatan_is_the_tables(void **state)
+{
+  (void)state;
+  put(NODES, HEADER SIDES INSIDE);
+  put(CONDUCTORS, LINKS);
+  put("network.d", "$MODEL BUS\n$LOCALS\nT0 = 6.85; C0 = 5000;\n$NODES\n"
+                   "D1 = '+x', T = T0, C = C0; D2 = '-x', T = T0, C = C0;\n"
+                   "D3 = '+y', T = T0, C = C0; D4 = '-y', T = T0, C = C0;\n"
+                   "D5 = '+z', T = T0, C = C0; D6 = '-z', T = T0, C = C0;\n"
+                   "D7 = 'interior', T = T0, C = 2E4, QI = 20;\nB8 = 'room', T = 19.85;\n"
+                   "$CONDUCTORS\nGL(7,1) = 1; GL(7,2) = 1; GL(7,3) = 1; GL(7,4) = 1;\n"
+                   "GL(7,5) = 1; GL(7,6) = 1; GL(8,1) = 0.5;\n$ENDMODEL\n");
+  struct heat_run tables = heat_compute(LIST(NETWORK), NONE, NONE);
+  struct heat_run esatan = heat_compute(LIST(SHAPE "network: {nodes: network.d}}"), NONE, NONE);
+  same(&tables, &esatan);
+  heat_release(&tables);
+  heat_release(&esatan);
+  assert_int_equal(remove("network.d"), 0);
+}
+
 /* A plate of two sides as nodes "front" and "back", or by its group's name with one node for both;
  * a radiative conductance inside: docs/physics/conduction.md's panel has U = 50 W/m2/K through it.
  */
@@ -184,8 +205,8 @@ static int teardown(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(tables_are_the_lumped_walls),
-                                     cmocka_unit_test(two_sides),
-                                     cmocka_unit_test(what_is_refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(tables_are_the_lumped_walls), cmocka_unit_test(esatan_is_the_tables),
+      cmocka_unit_test(two_sides), cmocka_unit_test(what_is_refused)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }
