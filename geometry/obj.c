@@ -12,6 +12,7 @@
 #include "base/core/csv.h"
 #include "base/core/file.h"
 #include "base/core/suggestions.h"
+#include "geometry/foreign_mesh_impl.h"
 #include "geometry/polygon_impl.h"
 
 #define MAX_FILE_BYTES ((size_t)1 << 30)
@@ -296,12 +297,19 @@ enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char 
                                     const struct um_geometry_obj_wish *wish)
 {
   enum um_status status;
-  char *text = NULL;
-  size_t length = 0;
+  char *text = NULL, *made = NULL, *as_obj = NULL;
+  size_t length = 0, nmade = 0;
   struct reader r = {
       .context = patch->context, .patch = patch, .path = path, .scale = wish->scale, .wish = wish};
   UM_CHECK(um_core_file_read(r.context, path, MAX_FILE_BYTES, &text, &length));
-  UM_CHECK(um_geometry_foreign_refuse(r.context, path, text, length));
+  UM_CHECK(um_geometry_foreign_read(r.context, path, text, length, &made, &nmade));
+  if (made != NULL) { /* lines are those of the OBJ that it became */
+    um_core_free(r.context, text);
+    text = made;
+    length = nmade;
+    UM_CHECK(um_core_asprintf(r.context, &as_obj, "%s (as OBJ)", path));
+    r.path = as_obj;
+  }
   const char *nul = memchr(text, '\0', length);
   if (nul != NULL) {
     int line = 1;
@@ -312,13 +320,13 @@ enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char 
   UM_CHECK(read_lines(&r, text, length));
   if (r.nface == 0 && r.other == NULL) {
     status = um_core_fail(r.context, UM_ERR_INPUT,
-                          "%s: no faces (%zu vertices): the file is empty or truncated", path,
+                          "%s: no faces (%zu vertices): the file is empty or truncated", r.path,
                           patch->nvertex);
     goto done;
   }
   UM_CHECK(check_found(&r));
   UM_CHECK(add_faces(&r));
 done:
-  UM_FREE(r.context, text, r.index, r.faces, r.found);
+  UM_FREE(r.context, text, as_obj, r.index, r.faces, r.found);
   return status;
 }

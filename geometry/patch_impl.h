@@ -70,13 +70,10 @@ struct um_geometry_obj_wish {
                      names, NULL where none does; grows with the groups, so that it is to be freed
                      after a failure, too */
 };
-/* Reads an OBJ file. UM_ERR_INPUT with file and line; a wished group without faces. */
+/* Reads an OBJ file, or a mesh of another format by way of OBJ (geometry/foreign_mesh.c).
+ * UM_ERR_INPUT with file and line; a wished group without faces. */
 enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char *path,
                                     const struct um_geometry_obj_wish *wish);
-/* UM_ERR_INPUT where the bytes are a mesh or a drawing of another format: names it, and how it
- * becomes an OBJ. */
-enum um_status um_geometry_foreign_refuse(struct um_context *context, const char *path,
-                                          const char *bytes, size_t length);
 
 /* Bisect longest edges until none is longer than facet_size [m]; conforming. */
 enum um_status um_geometry_refine(struct um_geometry_patch *patch, const char *part,

@@ -129,7 +129,7 @@ static void test_refusals(void **state)
       {{"new", "there"}, "there: exists, and umbra new writes over nothing; accepted: a new name"},
       {{"new", "ours"}, "ours: exists, and umbra new writes over nothing"}, /* Umbra's own, too */
       {{"new", ".."}, "'..' cannot name a scenario"},
-      {{"new", "x", "--from", "part.stl"}, "part.stl: this is STL; accepted: Wavefront OBJ"},
+      {{"new", "x", "--from", "part.stl"}, "part.stl: this STL is not read: "},
       {{"new", "x", "--from", "mixed.obj"},
        "mixed.obj: group 'mesh' holds 4 triangles of closed bodies and 1 of open surfaces"},
       {{"new", "x", "--from", "none.obj"}, "none.obj: No such file"},

@@ -1,5 +1,5 @@
-/* What an OBJ file holds before anybody says what it is made of, groups of it that are taken alone,
- * and files of other formats. */
+/* What an OBJ file holds before anybody says what it is made of, and groups of it that are taken
+ * alone. */
 #include <unistd.h>
 
 #include "geometry/obj_look.h"
@@ -88,52 +88,8 @@ static void takes_groups(void **state)
   unlink(path);
 }
 
-/* Files of others: named, with the way out. */
-static void names_formats(void **state)
-{
-  (void)state;
-  char stl[184] = "a binary file", iges[200];
-  stl[80] = 2; /* two triangles of 50 bytes */
-  memset(iges, ' ', sizeof iges);
-  memcpy(iges + 72, "S      1\n", 9);
-  const struct {
-    const char *bytes;
-    size_t length;
-    const char *says;
-  } files[] = {
-      {"solid part\n facet normal 0 0 1\n", 0,
-       "this is STL; accepted: Wavefront OBJ; open it in "
-       "Blender"},
-      {stl, sizeof stl, "this is STL;"},
-      {"ply\nformat ascii 1.0\n", 0, "this is PLY;"},
-      {"ply\r\nformat binary_little_endian 1.0\r\n", 0, "this is PLY;"},
-      {"{\"asset\": {\"version\": \"2.0\"}}\n", 0, "this is glTF;"},
-      {"glTF\2\0\0\0\1\0\0\0", 12, "this is glTF (binary, .glb);"},
-      {"ISO-10303-21;\nHEADER;\n", 0, "this is STEP; accepted: Wavefront OBJ; open it in FreeCAD"},
-      {iges, sizeof iges, "this is IGES;"},
-      {"PK\3\4\24\0", 6, "this is a packed file"},
-      {"<?xml version=\"1.0\"?>\n<COLLADA>\n", 0, "this is COLLADA"},
-      {"OFF\n3 1 0\n", 0, "this is OFF;"},
-  };
-  for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-    char path[UM_TEST_PATH];
-    size_t length = files[i].length > 0 ? files[i].length : strlen(files[i].bytes);
-    um_test_file_create(path, files[i].bytes, length);
-    struct um_geometry_part_spec spec = {.name = "part",
-                                         .shape = UM_SHAPE_MESH,
-                                         .mesh_path = path,
-                                         .rotation = {1, 0, 0, 0},
-                                         .skins = &support_open,
-                                         .nskin = 1};
-    support_refused(&spec, 1, files[i].says);
-    support_refused(&spec, 1, path);
-    unlink(path);
-  }
-}
-
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(looks), cmocka_unit_test(takes_groups),
-                                     cmocka_unit_test(names_formats)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(looks), cmocka_unit_test(takes_groups)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }

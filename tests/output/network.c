@@ -28,7 +28,9 @@
   "orbit: {kepler: {epoch_utc: 2016-09-06T18:00:00Z, a_km: 7143, e: 0.001, i_deg: 98.3, "          \
   "raan_deg: 300, argp_deg: 80, mean_anomaly_deg: 10}}\nattitude: [{lvlh: {}}]\n"                  \
   "thermal: {start: periodic}\n"
-#define FIXED "orbit: {fixed: {position_gcrs_km: [-7000, 0, 0]}}\nattitude: [{fixed: {q_gcrs: [1, 0, 0, 0]}}]\n"
+#define FIXED                                                                                      \
+  "orbit: {fixed: {position_gcrs_km: [-7000, 0, 0]}}\nattitude: [{fixed: {q_gcrs: [1, 0, 0, "      \
+  "0]}}]\n"
 
 /* Lumps with an interior that a heater holds, MLI by a law of temperature. */
 #define LUMPS                                                                                      \

@@ -12,6 +12,7 @@ elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN)
   find_package(MPI QUIET COMPONENTS C)
 endif()
 
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml)
 # the web server of umbra serve
