@@ -93,25 +93,41 @@ static const char *form_text(enum um_orbit_time_form form)
 }
 
 static void print_json(const char *out, const struct um_compare_measurements *m, const char *times,
-                       bool sorted, size_t empty)
+                       const struct um_compare_imported *found)
 {
   um_core_json_text(stdout, "{", "file", out);
   printf(", \"rows\": %zu, \"tracks\": %zu", m->count, m->ntrack);
   um_core_json_text(stdout, ", ", "quantity", um_compare_quantity_name(m->channel[0].quantity));
   um_core_json_text(stdout, ", ", "of", m->channel[0].of);
+  printf(", \"channels\": %zu", m->nchannel);
   um_core_json_text(stdout, ", ", "times", times);
-  printf(", \"put_in_order\": %s, \"without_value\": %zu}\n", sorted ? "true" : "false", empty);
+  printf(", \"put_in_order\": %s, \"without_value\": %zu, \"rows_of_zeros\": %zu, "
+         "\"rows_held\": %zu, \"rows_doubled\": %zu}\n",
+         found->sorted ? "true" : "false", found->empty, found->zeros, found->held, found->doubled);
 }
 
 static void print_table(const char *out, const struct um_compare_measurements *m,
                         const struct um_compare_imported *found)
 {
-  printf("%s: %zu row%s of %s %s, times read as %s", out, m->count, m->count == 1 ? "" : "s",
-         um_compare_quantity_name(m->channel[0].quantity), m->channel[0].of,
-         form_text(found->form));
+  printf("%s: %zu row%s of %s ", out, m->count, m->count == 1 ? "" : "s",
+         um_compare_quantity_name(m->channel[0].quantity));
+  if (m->nchannel == 1)
+    printf("%s", m->channel[0].of);
+  else
+    printf("of %zu places", m->nchannel);
+  printf(", times read as %s", form_text(found->form));
   if (found->sorted) printf(", put in their order");
   if (found->empty > 0)
-    printf(", %zu row%s without a value left out", found->empty, found->empty == 1 ? "" : "s");
+    printf(", %zu value%s that %s not there left out", found->empty, found->empty == 1 ? "" : "s",
+           found->empty == 1 ? "is" : "are");
+  if (found->zeros > 0)
+    printf(", %zu row%s of zeros flagged", found->zeros, found->zeros == 1 ? "" : "s");
+  if (found->held > 0)
+    printf(", %zu row%s flagged that repeat%s the row before", found->held,
+           found->held == 1 ? "" : "s", found->held == 1 ? "s" : "");
+  if (found->doubled > 0)
+    printf(", %zu row%s left out at the time of another", found->doubled,
+           found->doubled == 1 ? "" : "s");
   printf("%s\n", isnan(m->row[0].sigma)
                      ? ", without sigma: --sigma, --noise or the scenario's noise gives one"
                      : "");
@@ -141,7 +157,7 @@ static enum um_status import_table(struct um_context *context, const struct um_a
   UM_CHECK(um_compare_measurements_write_noted(context, m, note, options->out));
   um_app_terminal_clear();
   if (options->json)
-    print_json(options->out, m, form_text(found.form), found.sorted, found.empty);
+    print_json(options->out, m, form_text(found.form), &found);
   else
     print_table(options->out, m, &found);
 done:
@@ -155,12 +171,13 @@ static enum um_status import_track(struct um_context *context, const struct um_a
 {
   enum um_status status;
   struct um_compare_measurements *m = NULL;
+  const struct um_compare_imported none = {0};
   UM_CHECK(um_compare_mmt_read(context, options->positional[0], &m, NULL));
   UM_CHECK(fill_noise(context, options, noise, m));
   UM_CHECK(um_compare_measurements_write(context, m, options->out));
   um_app_terminal_clear();
   if (options->json)
-    print_json(options->out, m, form_text(UM_ORBIT_TIME_ISO), false, 0);
+    print_json(options->out, m, form_text(UM_ORBIT_TIME_ISO), &none);
   else
     printf("%s: %zu observations, %zu tracks%s\n", options->out, m->count, m->ntrack,
            options->noise == NULL ? ", without sigma: --noise or the scenario's noise gives one"

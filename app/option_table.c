@@ -27,7 +27,10 @@ static const struct um_app_option table[] = {
     {"column-counts", "counts", "COLUMN", .takes = UM_APP_TEXT, AT(column_counts),
      .example = "--counts rate", .help = "Column of counts per second of a sensor."},
     {"column-temperature", "temperature", "COLUMN", .takes = UM_APP_TEXT, AT(column_temperature),
-     .example = "--temperature T1", .help = "Column of temperatures of a place."},
+     .example = "--temperature T1",
+     .help =
+         "Column of temperatures of a place, or COLUMN=PLACE,COLUMN=PLACE,... of a table with a "
+         "column a sensor: rows of zeros and rows that repeat the one before are then flagged."},
     {"column-band", "band", "BAND", .takes = UM_APP_TEXT, AT(column_band),
      .default_value = "the column's name: V of Vmag", .example = "--band vis",
      .help = "The band of magnitudes or fluxes, as the scenario calls it."},

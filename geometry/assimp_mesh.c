@@ -15,7 +15,8 @@
 #include "base/core/text.h"
 #include "geometry/foreign_mesh_impl.h"
 
-#define SECONDS  120.0
+#define SECONDS  10.0  /* and one for every so many bytes: */
+#define BYTES    1.0e6 /* a tenth of what is read in one */
 #define MEGABYTE 4096
 #define DEEPEST  64 /* nodes below nodes */
 #define SAYS     400
@@ -154,13 +155,14 @@ enum um_status um_geometry_assimp_read(struct um_context *context, const char *p
   enum um_status status;
   struct work *work = NULL;
   struct um_core_child_result in = {0};
-  const struct um_core_child_limits limits = {SECONDS, MEGABYTE};
+  const struct um_core_child_limits limits = {SECONDS + (double)length / BYTES, MEGABYTE};
   UM_CHECK(um_core_allocate(context, 1, sizeof *work, &work));
   *work = (struct work){.bytes = bytes, .hint = hint, .length = length};
   UM_CHECK(um_core_child_run(context, "Assimp", child_work, work, &limits, &in));
   if (in.end == UM_CHILD_TIMED_OUT)
-    status = um_core_fail(context, UM_ERR_INPUT, "%s: this %s was not read within %g s", path,
-                          format, SECONDS);
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: this %s was not read within %.0f s: is the file whole?", path,
+                          format, limits.seconds);
   else if (in.end == UM_CHILD_SIGNALLED || in.code != 0 || in.count == 0)
     status = um_core_fail(context, UM_ERR_INPUT,
                           "%s: the importer crashed on this %s (%s %d): is the file whole?", path,

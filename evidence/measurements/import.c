@@ -33,15 +33,24 @@ static const struct unit {
 };
 #define UNITS (sizeof units / sizeof *units)
 
+/* A column of values, and what they are of. */
+struct value {
+  size_t column;
+  const char *of;
+  struct unit unit;
+};
+
 /* The table, where its columns stand, and what the values are. */
 struct importer {
   struct um_context *context;
   struct um_core_csv *csv;
   struct um_compare_imported *found;
-  size_t date, time, value, sigma, flag, exposure, track; /* SIZE_MAX: absent */
+  size_t date, time, sigma, flag, exposure, track; /* SIZE_MAX: absent */
   enum um_compare_quantity quantity;
-  const char *of;
-  struct unit unit;
+  struct value *value; /* [nvalue] one, or a column a place */
+  size_t nvalue;
+  char *places;                        /* texts of those */
+  enum um_compare_import_frame *frame; /* [rows] NULL: one value a row */
 };
 
 enum um_status um_compare_import_column(struct um_context *context, const struct um_core_csv *csv,
@@ -99,7 +108,7 @@ static enum um_status value_column(struct importer *r, struct um_compare_columns
     r->quantity = quantities[i];
     n++;
   }
-  if (n == 1) return um_compare_import_column(r->context, r->csv, *column, &r->value);
+  if (n == 1) return UM_OK;
   return um_core_fail(r->context, UM_ERR_INPUT,
                       "%s: %s accepted: one of --magnitude, --flux, --counts, --temperature "
                       "COLUMN",
@@ -108,7 +117,7 @@ static enum um_status value_column(struct importer *r, struct um_compare_columns
 }
 
 /* "_C", "(K)", "[W/m2]" at the end of a column's name. */
-static const char *unit_of_name(const char *column, enum um_compare_quantity quantity)
+const char *um_compare_import_unit(const char *column, enum um_compare_quantity quantity)
 {
   size_t n = strlen(column), end = n;
   while (end > 0 && strchr(")] ", column[end - 1]) != NULL) end--;
@@ -124,10 +133,10 @@ static const char *unit_of_name(const char *column, enum um_compare_quantity qua
 }
 
 static enum um_status choose_unit(struct importer *r, struct um_compare_columns *c,
-                                  const char *column)
+                                  const char *column, struct value *value)
 {
   char accepted[120] = "";
-  r->unit = (struct unit){NULL, r->quantity, 1.0, 0.0};
+  value->unit = (struct unit){NULL, r->quantity, 1.0, 0.0};
   if (um_compare_is_magnitude(r->quantity)) {
     if (c->unit == NULL) return UM_OK;
     return um_core_fail(r->context, UM_ERR_INPUT,
@@ -135,21 +144,28 @@ static enum um_status choose_unit(struct importer *r, struct um_compare_columns 
                         c->unit);
   }
   bool light = r->quantity == UM_QUANTITY_BAND_IRRADIANCE;
-  if (c->unit == NULL) c->unit = unit_of_name(column, r->quantity);
-  if (c->unit == NULL && r->quantity == UM_QUANTITY_COUNT_RATE) return UM_OK;
+  const char *unit = c->unit != NULL ? c->unit : um_compare_import_unit(column, r->quantity);
+  if (r->nvalue == 1) c->unit = unit;
+  if (unit == NULL && r->quantity == UM_QUANTITY_COUNT_RATE) return UM_OK;
   for (size_t i = 0; i < UNITS; i++) {
     bool fits = units[i].quantity == r->quantity ||
                 (light && units[i].quantity == UM_QUANTITY_RADIANT_INTENSITY);
     if (!fits) continue;
     um_core_words_append(accepted, sizeof accepted, units[i].name);
-    if (c->unit == NULL || strcmp(c->unit, units[i].name) != 0) continue;
-    r->unit = units[i];
+    if (unit == NULL || strcmp(unit, units[i].name) != 0) continue;
+    value->unit = units[i];
     r->quantity = units[i].quantity;
     return UM_OK;
   }
   return um_core_fail(r->context, UM_ERR_INPUT, "%s: column '%s': unit %s; accepted: --unit %s",
-                      um_core_csv_name(r->csv), column, c->unit == NULL ? "not said" : c->unit,
-                      accepted);
+                      um_core_csv_name(r->csv), column, unit == NULL ? "not said" : unit, accepted);
+}
+
+static enum um_status check_of(struct importer *r, const char *of)
+{
+  if (um_core_name_is_safe_behind(of) && of[0] != '\0') return UM_OK;
+  return um_core_fail(r->context, UM_ERR_INPUT, "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND,
+                      of);
 }
 
 /* What the values are of: a band, a place, a sensor. */
@@ -168,17 +184,15 @@ static enum um_status choose_of(struct importer *r, struct um_compare_columns *c
   if (um_compare_is_magnitude(r->quantity) && c->band == NULL &&
       um_compare_import_band(column, name, sizeof r->found->name))
     c->band = name;
-  r->of = light ? c->band : c->of;
-  if (r->of == NULL)
+  const char *of = r->value[0].of = light ? c->band : c->of;
+  if (of == NULL)
     return um_core_fail(
         r->context, UM_ERR_INPUT, "%s: column '%s': %s accepted: %s", um_core_csv_name(r->csv),
         column, light ? "of which band of the scenario is it?" : "what is it of?",
         light                                    ? "--band BAND"
         : r->quantity == UM_QUANTITY_TEMPERATURE ? "--of PLACE, as temperatures.csv calls it"
                                                  : "--of SENSOR, as the scenario calls it");
-  if (um_core_name_is_safe_behind(r->of) && r->of[0] != '\0') return UM_OK;
-  return um_core_fail(r->context, UM_ERR_INPUT, "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND,
-                      r->of);
+  return check_of(r, of);
 }
 
 static enum um_status choose_system(struct importer *r, struct um_compare_columns *c,
@@ -207,15 +221,57 @@ static enum um_status choose_system(struct importer *r, struct um_compare_column
   return UM_OK;
 }
 
+/* COLUMN=PLACE,COLUMN=PLACE,...: a column each, which may have a unit each. */
+static enum um_status place_columns(struct importer *r, struct um_compare_columns *c)
+{
+  char *rest;
+  if (c->of != NULL)
+    return um_core_fail(r->context, UM_ERR_INPUT,
+                        "--of %s: beside --temperature COLUMN=PLACE; accepted: one of the two",
+                        c->of);
+  UM_TRY(um_core_strdup(r->context, c->temperature, &r->places));
+  r->nvalue = 1;
+  for (const char *comma = r->places; (comma = strchr(comma, ',')) != NULL; comma++) r->nvalue++;
+  UM_TRY(um_core_allocate(r->context, r->nvalue, sizeof *r->value, &r->value));
+  rest = r->places;
+  for (size_t i = 0; i < r->nvalue; i++) {
+    char *column = rest, *end = rest + strcspn(rest, ","), *equals;
+    rest = *end == ',' ? end + 1 : end;
+    *end = '\0';
+    equals = strrchr(column, '=');
+    if (equals == NULL || equals == column)
+      return um_core_fail(r->context, UM_ERR_INPUT,
+                          "--temperature: '%.80s'; accepted: COLUMN=PLACE,COLUMN=PLACE,...",
+                          column);
+    *equals = '\0';
+    r->value[i].of = equals + 1;
+    UM_TRY(um_compare_import_column(r->context, r->csv, column, &r->value[i].column));
+    UM_TRY(choose_unit(r, c, column, &r->value[i]));
+    UM_TRY(check_of(r, equals + 1));
+  }
+  return UM_OK;
+}
+
+static enum um_status one_column(struct importer *r, struct um_compare_columns *c,
+                                 const char *column)
+{
+  r->nvalue = 1;
+  UM_TRY(um_core_allocate(r->context, 1, sizeof *r->value, &r->value));
+  UM_TRY(um_compare_import_column(r->context, r->csv, column, &r->value->column));
+  UM_TRY(choose_unit(r, c, column, r->value));
+  UM_TRY(choose_of(r, c, column));
+  return choose_system(r, c, column);
+}
+
 static enum um_status find_columns(struct importer *r)
 {
   struct um_compare_columns *c = &r->found->columns;
   const char *column = NULL;
   UM_TRY(time_columns(r, c->time));
   UM_TRY(value_column(r, c, &column));
-  UM_TRY(choose_unit(r, c, column));
-  UM_TRY(choose_of(r, c, column));
-  UM_TRY(choose_system(r, c, column));
+  bool wide = c->temperature != NULL && strchr(column, '=') != NULL &&
+              um_core_csv_find(r->csv, column) == SIZE_MAX;
+  UM_TRY(wide ? place_columns(r, c) : one_column(r, c, column));
   UM_TRY(optional_column(r, c->sigma, &r->sigma));
   UM_TRY(optional_column(r, c->flag, &r->flag));
   UM_TRY(optional_column(r, c->exposure, &r->exposure));
@@ -256,17 +312,18 @@ static enum um_status read_optional(struct importer *r, size_t row, size_t colum
   return um_core_csv_number(r->context, r->csv, row, column, out);
 }
 
-static enum um_status read_value(struct importer *r, size_t row, struct um_compare_measurement *m)
+static enum um_status read_value(struct importer *r, size_t row, const struct value *value,
+                                 struct um_compare_measurement *m)
 {
   double exposure, flag;
-  UM_TRY(um_core_csv_number(r->context, r->csv, row, r->value, &m->value));
-  m->value = r->unit.factor * m->value + r->unit.offset;
-  UM_TRY(um_compare_import_check(r->context, r->csv, row, r->value, r->quantity, m->value));
+  UM_TRY(um_core_csv_number(r->context, r->csv, row, value->column, &m->value));
+  m->value = value->unit.factor * m->value + value->unit.offset;
+  UM_TRY(um_compare_import_check(r->context, r->csv, row, value->column, r->quantity, m->value));
   UM_TRY(read_optional(r, row, r->sigma, &m->sigma));
   if (m->sigma <= 0.0)
     return um_core_csv_fail(r->context, r->csv, row, r->sigma, "%s; accepted: above 0, or empty",
                             um_core_csv_text(r->csv, row, r->sigma));
-  m->sigma *= r->unit.factor;
+  m->sigma *= value->unit.factor;
   UM_TRY(read_optional(r, row, r->exposure, &exposure));
   if (exposure < 0.0)
     return um_core_csv_fail(r->context, r->csv, row, r->exposure, "%s s; accepted: 0 s or more",
@@ -282,17 +339,18 @@ static enum um_status read_value(struct importer *r, size_t row, struct um_compa
   return UM_OK;
 }
 
-/* A row with its place in the table. */
+/* A value of a row with its place in the table. */
 struct dated {
   double t;
-  size_t row;
+  size_t row, value;
 };
 
 static int by_time(const void *a, const void *b)
 {
   const struct dated *x = a, *y = b;
   if (x->t != y->t) return x->t < y->t ? -1 : 1;
-  return x->row < y->row ? -1 : 1;
+  if (x->row != y->row) return x->row < y->row ? -1 : 1;
+  return x->value < y->value ? -1 : 1;
 }
 
 static enum um_status add_rows(struct importer *r, struct dated *dated, size_t n,
@@ -311,33 +369,85 @@ static enum um_status add_rows(struct importer *r, struct dated *dated, size_t n
     if (!um_core_name_is_safe(track))
       return um_core_csv_fail(r->context, r->csv, row, r->track,
                               "'%.100s'; accepted: " UM_CORE_NAME_ACCEPTED, track);
-    UM_TRY(read_value(r, row, &m));
-    UM_TRY(um_compare_set_channel(r->context, set, r->quantity, r->of, &m.channel));
+    const struct value *value = &r->value[dated[i].value];
+    UM_TRY(read_value(r, row, value, &m));
+    if (r->frame != NULL && r->frame[row] != UM_IMPORT_FRAME_GOOD)
+      m.flag = m.flag != 0 ? m.flag : 1;
+    UM_TRY(um_compare_set_channel(r->context, set, r->quantity, value->of, &m.channel));
     UM_TRY(um_compare_set_track(r->context, set, track, &m.track));
     UM_TRY(um_compare_set_add(r->context, set, &m));
   }
   return UM_OK;
 }
 
+/* A row of zeros that are no temperatures is left out, another is flagged. */
+static bool is_left_out(const struct importer *r, size_t row, const struct value *value)
+{
+  bool zeros = r->frame != NULL && r->frame[row] == UM_IMPORT_FRAME_ZEROS;
+  return (zeros && value->unit.offset == 0.0) ||
+         is_empty(um_core_csv_text(r->csv, row, value->column));
+}
+
+/* Of rows at one time the first, as a receiver's log may have two. */
+static size_t once(struct dated *dated, size_t n, size_t *doubled)
+{
+  size_t kept = 0, first = 0, last = SIZE_MAX;
+  for (size_t i = 0; i < n; i++) {
+    if (i == 0 || dated[i].t != dated[i - 1].t) first = dated[i].row;
+    if (dated[i].row == first) {
+      dated[kept++] = dated[i];
+    } else if (dated[i].row != last) {
+      last = dated[i].row;
+      ++*doubled;
+    }
+  }
+  return kept;
+}
+
 static enum um_status read_rows(struct importer *r, struct um_compare_set *set)
 {
   enum um_status status;
   struct dated *dated = NULL;
-  size_t n = 0;
-  UM_CHECK(um_core_allocate(r->context, um_core_csv_rows(r->csv) + 1, sizeof *dated, &dated));
-  for (size_t row = 0; row < um_core_csv_rows(r->csv); row++) {
-    UM_CHECK(read_time(r, row, &dated[n].t));
-    if (is_empty(um_core_csv_text(r->csv, row, r->value))) {
-      r->found->empty++;
-      continue;
+  size_t n = 0, rows = um_core_csv_rows(r->csv);
+  double before = -INFINITY, t = 0.0;
+  UM_CHECK(um_core_allocate(r->context, rows * r->nvalue + 1, sizeof *dated, &dated));
+  for (size_t row = 0; row < rows; row++) {
+    UM_CHECK(read_time(r, row, &t));
+    bool any = false;
+    for (size_t v = 0; v < r->nvalue; v++) {
+      if (is_left_out(r, row, &r->value[v])) {
+        r->found->empty++;
+        continue;
+      }
+      dated[n++] = (struct dated){t, row, v};
+      any = true;
     }
-    r->found->sorted = r->found->sorted || (n > 0 && dated[n].t < dated[n - 1].t);
-    dated[n++].row = row;
+    r->found->sorted = r->found->sorted || (any && t < before);
+    if (any) before = t;
   }
   if (r->found->sorted) qsort(dated, n, sizeof *dated, by_time);
+  if (r->nvalue > 1) n = once(dated, n, &r->found->doubled);
   UM_CHECK(add_rows(r, dated, n, set));
 done:
   um_core_free(r->context, dated);
+  return status;
+}
+
+/* Which rows of a table of several sensors are no readings. */
+static enum um_status judge_frames(struct importer *r)
+{
+  enum um_status status;
+  size_t *column = NULL;
+  if (r->nvalue < 2) return UM_OK;
+  UM_CHECK(um_core_allocate(r->context, r->nvalue, sizeof *column, &column));
+  for (size_t v = 0; v < r->nvalue; v++) column[v] = r->value[v].column;
+  UM_CHECK(um_compare_import_frames(r->context, r->csv, column, r->nvalue, &r->frame));
+  for (size_t row = 0; row < um_core_csv_rows(r->csv); row++) {
+    r->found->zeros += r->frame[row] == UM_IMPORT_FRAME_ZEROS;
+    r->found->held += r->frame[row] == UM_IMPORT_FRAME_HELD;
+  }
+done:
+  um_core_free(r->context, column);
   return status;
 }
 
@@ -353,11 +463,13 @@ enum um_status um_compare_import(struct um_context *context, const char *path,
   *found = (struct um_compare_imported){.columns = *columns};
   UM_CHECK(um_compare_foreign_table_read(context, path, &r.csv));
   UM_CHECK(find_columns(&r));
+  UM_CHECK(judge_frames(&r));
   UM_CHECK(um_compare_set_begin(context, path, "time", &set));
   UM_CHECK(read_rows(&r, &set));
   UM_CHECK(um_compare_set_finish(context, &set, out));
 done:
   um_compare_set_abandon(context, &set);
+  UM_FREE(context, r.value, r.places, r.frame);
   um_core_csv_destroy(&r.csv);
   return status;
 }

@@ -9,7 +9,7 @@
  * are borrowed. */
 struct um_compare_columns {
   const char *time; /* a column, or two with a '+' between: date+time */
-  /* the one that holds the value: */
+  /* the one that holds the value; of temperatures also "COLUMN=PLACE,COLUMN=PLACE,..." */
   const char *magnitude, *flux, *counts, *temperature;
   const char *sigma, *flag, *exposure, *track;
   const char *band;   /* of magnitudes and fluxes: a band of the scenario */
@@ -38,7 +38,11 @@ struct um_compare_imported {
   struct um_compare_columns columns; /* as asked, with what was taken by the columns' names: band,
                                         system, unit */
   enum um_orbit_time_form form;      /* how times are written */
-  size_t empty;                      /* rows without a value, left out */
+  size_t empty;                      /* values that are not there, left out */
+  size_t zeros, held;                /* rows of a table of several sensors that are flagged: all
+                                        zeros, or beyond chance all as in the row before */
+  size_t doubled;                    /* rows of such a table that are left out, as an earlier one
+                                        has their time */
   bool sorted;                       /* rows were not in the order of time, and are now */
   char name[64];                     /* text of columns.band */
 };
@@ -49,8 +53,9 @@ struct um_compare_imported {
  * what is accepted: an unknown column, with the nearest and all that there are; no value or more
  * than one kind of it; what is not known of it; fields that are no numbers; and what
  * um_compare_measurements_read refuses of values and between rows. A value that is empty, nan, -,
- * --, null or indef is left out. UM_ERR_IO, UM_ERR_INPUT, UM_ERR_MEMORY; *out is NULL then. The
- * caller destroys. */
+ * --, null or indef is left out. Of a table with a column a sensor, rows that are no readings are
+ * flagged, or left out where they are zeros in kelvins. UM_ERR_IO, UM_ERR_INPUT, UM_ERR_MEMORY;
+ * *out is NULL then. The caller destroys. */
 enum um_status um_compare_import(struct um_context *context, const char *path,
                                  const struct um_compare_columns *columns,
                                  struct um_compare_imported *found,

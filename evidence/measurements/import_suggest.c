@@ -86,9 +86,27 @@ static void guess_time(const struct um_core_csv *csv, struct guess *g)
     if (um_orbit_time_form_recognise(um_core_csv_text(csv, 0, i), &form)) g->time = i;
 }
 
+static bool has_degrees(const char *column)
+{
+  return um_compare_import_unit(column, UM_QUANTITY_TEMPERATURE) != NULL;
+}
+
+/* The first of several columns that name degrees, as telemetry has them beside volts; SIZE_MAX:
+ * there are not two. */
+static size_t sensors(const struct um_core_csv *csv)
+{
+  size_t n = 0, first = SIZE_MAX;
+  for (size_t i = 0; i < um_core_csv_columns(csv); i++) {
+    const char *name = um_core_csv_header(csv, i);
+    if (has_degrees(name) && !is_sigma(name) && is_number(csv, i) && n++ == 0) first = i;
+  }
+  return n > 1 ? first : SIZE_MAX;
+}
+
 static void guess_value(const struct um_core_csv *csv, struct guess *g)
 {
-  g->value = g->sigma = SIZE_MAX;
+  g->sigma = SIZE_MAX;
+  g->value = sensors(csv);
   for (size_t i = 0; i < um_core_csv_columns(csv); i++) {
     const char *name = um_core_csv_header(csv, i);
     if (i == g->time || i == g->date || !is_number(csv, i)) continue;
@@ -131,17 +149,45 @@ static void put(char *line, size_t size, const char *option, const char *word)
   put_word(line, size, word);
 }
 
+static bool is_temperature(const char *column)
+{
+  static const char *const words[] = {"temp", "t_", NULL};
+  return holds_any(column, words) || has_degrees(column);
+}
+
+/* All columns of temperatures: of one the place is said beside it, of several in one list. */
+static void put_temperatures(const struct um_core_csv *csv, char *line, size_t size)
+{
+  char list[1200] = "";
+  size_t n = 0, used = 0, first = 0;
+  bool unit = true;
+  for (size_t i = 0; i < um_core_csv_columns(csv); i++) {
+    const char *column = um_core_csv_header(csv, i);
+    if (!is_temperature(column) || is_sigma(column) || !is_number(csv, i) ||
+        strchr(column, ',') != NULL)
+      continue;
+    int more = snprintf(list + used, sizeof list - used, "%s%s=PLACE", n > 0 ? "," : "", column);
+    if (more < 0 || used + (size_t)more >= sizeof list) {
+      list[used] = '\0';
+      break;
+    }
+    used += (size_t)more;
+    if (n++ == 0) first = i;
+    unit = unit && has_degrees(column);
+  }
+  put(line, size, "--temperature", n > 1 ? list : um_core_csv_header(csv, first));
+  if (n <= 1) put(line, size, "--of", "PLACE");
+  if (!unit) put(line, size, "--unit", "K");
+}
+
 /* The value's option, and what has to be said beside it. */
-static void put_value(char *line, size_t size, const char *column)
+static void put_value(const struct um_core_csv *csv, char *line, size_t size, const char *column)
 {
   static const char *const fluxes[] = {"flux", "irradiance", "intensity", NULL};
   static const char *const counts[] = {"count", "adu", "rate", NULL};
-  static const char *const temperatures[] = {"temp", "t_", NULL};
   char band[64];
-  if (holds_any(column, temperatures)) {
-    put(line, size, "--temperature", column);
-    put(line, size, "--of", "PLACE");
-    put(line, size, "--unit", "K");
+  if (is_temperature(column)) {
+    put_temperatures(csv, line, size);
   } else if (holds_any(column, fluxes)) {
     put(line, size, "--flux", column);
     put(line, size, "--unit", "W/m2");
@@ -193,7 +239,7 @@ enum um_status um_compare_import_suggest(struct um_context *context, const char 
              g.date == SIZE_MAX ? "" : "+", um_core_csv_header(csv, g.time));
     put_word(line, sizeof line, path);
     put(line, sizeof line, "--time", time);
-    put_value(line, sizeof line, um_core_csv_header(csv, g.value));
+    put_value(csv, line, sizeof line, um_core_csv_header(csv, g.value));
     if (g.sigma != SIZE_MAX) put(line, sizeof line, "--sigma", um_core_csv_header(csv, g.sigma));
     put_output(line, sizeof line, path);
     status = um_core_strdup(context, line, out);

@@ -44,7 +44,7 @@ static void test_named_command(void **state)
                                  "Verr", "-o", "lc-measured.csv", NULL);
   assert_int_equal(c.code, 0);
   assert_string_equal(c.out, "lc-measured.csv: 2 rows of magnitude_vega V, times read as UTC, 1 "
-                             "row without a value left out\n");
+                             "value that is not there left out\n");
   command_release(&c);
 }
 

@@ -224,6 +224,22 @@ static void test_refusals(void **state)
       {HEAD ROW,
        {.time = "UTC", .temperature = "V", .unit = "K"},
        "t.txt: column 'V': what is it of? accepted: --of PLACE, as temperatures.csv calls it"},
+      {HEAD ROW,
+       {.time = "UTC", .temperature = "V=bus,Ver=panel", .unit = "K"},
+       "t.txt: no column 'Ver'; did you mean 'Verr'?; the file has: UTC, V, Verr"},
+      {HEAD ROW,
+       {.time = "UTC", .temperature = "V=bus,Verr", .unit = "K"},
+       "--temperature: 'Verr'; accepted: COLUMN=PLACE,COLUMN=PLACE,..."},
+      {HEAD ROW,
+       {.time = "UTC", .temperature = "V=bus,Verr=", .unit = "K"},
+       "''; accepted: a name of at most 255 bytes without control characters and without ` \" \\ "
+       "$"},
+      {HEAD ROW,
+       {.time = "UTC", .temperature = "V=bus,Verr=panel"},
+       "t.txt: column 'V': unit not said; accepted: --unit K, C"},
+      {HEAD ROW,
+       {.time = "UTC", .temperature = "V=bus,Verr=panel", .of = "x", .unit = "K"},
+       "--of x: beside --temperature COLUMN=PLACE; accepted: one of the two"},
       {HEAD "20.9.2016 20:33,7.5,0.1\n",
        {V},
        "t.txt:2: column 'UTC': '20.9.2016 20:33' is no time that is known; accepted: UTC as "
@@ -270,6 +286,48 @@ static void test_refusals(void **state)
   }
 }
 
+/* A column a sensor, each with its unit. Rows of zeros are flagged where 0 is a temperature; a row
+ * that repeats the one before is flagged where that is no chance; of two rows at one time the first
+ * counts; a field that is empty is left out alone. */
+static void test_sensors(void **state)
+{
+  (void)state;
+  static const char table[] = "t,a_C,b_K,c\n"
+                              "1474489980,1.5,280.25,1\n"
+                              "1474490040,1.75,280.5,2\n"
+                              "1474490100,1.75,280.5,3\n" /* held */
+                              "1474490160,0,0.0,4\n"      /* zeros */
+                              "1474490220,2.5,,5\n"
+                              "1474490220,2.75,281,6\n" /* at the time of another */
+                              "1474490280,3,281.5,7\n1474490340,3.25,281.75,8\n"
+                              "1474490400,3.5,282,9\n1474490460,3.75,282.5,10\n";
+  struct um_compare_columns columns = {.time = "t", .temperature = "a_C=bus,b_K=panel.+x"};
+  struct um_compare_imported found;
+  struct um_compare_measurements *m = import(table, &columns, &found);
+  assert_int_equal(m->nchannel, 2);
+  assert_string_equal(m->channel[1].of, "panel.+x");
+  assert_int_equal(m->count, 2 * 7 + 1 + 1);
+  assert_int_equal(found.zeros, 1);
+  assert_int_equal(found.held, 1);
+  assert_int_equal(found.doubled, 1);
+  assert_int_equal(found.empty, 2); /* of b_K: what is not there, and 0 K */
+  for (size_t i = 0; i < m->count; i++) {
+    double after = m->row[i].t_tai - m->row[0].t_tai;
+    bool bad = fabs(after - 120.0) < 1.0 || fabs(after - 180.0) < 1.0;
+    assert_int_equal(m->row[i].flag, bad ? 1 : 0);
+  }
+  assert_close(m->row[0].value, 274.65, 1e-12);
+  assert_close(m->row[1].value, 280.25, 1e-12);
+  um_compare_measurements_destroy(context, &m);
+  /* sensors of whole degrees repeat themselves by chance */
+  m = import("t,a_C,b_C\n1474489980,1,5\n1474490040,1,5\n1474490100,1,6\n1474490160,2,6\n"
+             "1474490220,2,7\n1474490280,2,7\n1474490340,3,7\n",
+             &(struct um_compare_columns){.time = "t", .temperature = "a_C=bus,b_C=panel"}, &found);
+  assert_int_equal(found.held, 0);
+  for (size_t i = 0; i < m->count; i++) assert_int_equal(m->row[i].flag, 0);
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* The command that is proposed, by names and first rows; and that measurement readers propose it.
  */
 static void test_suggestions(void **state)
@@ -288,6 +346,8 @@ static void test_suggestions(void **state)
       {"jd flux sigmaFlux\n2457653.3 1e-12 1e-13\n",
        "--time jd --flux flux --unit W/m2 --band BAND --sigma sigmaFlux"},
       {"jd counts\n2457653.3 800\n", "--time jd --counts counts --of SENSOR"},
+      {"t,mV,Panel A (C),T_B_K,note\n1474489980,4500,8,281,x\n",
+       "--time t --temperature 'Panel A (C)=PLACE,T_B_K=PLACE'"},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char *command, expected[300];
@@ -311,8 +371,9 @@ static void test_suggestions(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_forms), cmocka_unit_test(test_kinds),
-                                     cmocka_unit_test(test_map), cmocka_unit_test(test_refusals),
-                                     cmocka_unit_test(test_suggestions)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_forms),   cmocka_unit_test(test_kinds),
+      cmocka_unit_test(test_map),     cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_sensors), cmocka_unit_test(test_suggestions)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }
