@@ -8,14 +8,18 @@
 #include "app/frame_options.h"
 #include "app/picture.h"
 #include "app/target.h"
+#include "base/core/constants.h"
 #include "environment/airmass.h"
 #include "model/build/bands.h"
 #include "model/build/build.h"
 #include "model/geometry/precompute.h"
+#include "model/products/frame_sky.h"
 #include "model/products/star.h"
 #include "model/run/run.h"
 #include "output/fits.h"
 #include "output/frame_plot.h"
+
+#define SKY_CARDS 13 /* of the projection */
 
 /* A star of --star where it stands, and its pixel as FITS counts them. */
 struct star {
@@ -98,6 +102,38 @@ static size_t star_cards(struct scene *scene, struct um_output_card *cards, size
   return n;
 }
 
+/* Where the frame lies on the sky, and from where it was taken. Returns how many cards there are.
+ */
+static size_t sky_cards(const struct scene *scene, struct um_output_card *cards, size_t n)
+{
+  const struct um_instrument_frame *f = &scene->frame.frame;
+  const struct um_orbit_observer *site = &scene->model->observer;
+  const struct um_model_frame_sky sky =
+      um_model_frame_sky(scene->tables, scene->tables->nobs - 1, f->pixel);
+  const struct um_output_card projection[SKY_CARDS] = {
+      {"RADESYS", 0.0, "ICRS", "without aberration and refraction"},
+      {"CTYPE1", 0.0, "RA---TAN", "gnomonic"},
+      {"CTYPE2", 0.0, "DEC--TAN", "gnomonic"},
+      {"CUNIT1", 0.0, "deg", ""},
+      {"CUNIT2", 0.0, "deg", ""},
+      {"CRPIX1", at_pixel(f->width, 0.0, f->pixel), NULL, "middle of the frame"},
+      {"CRPIX2", at_pixel(f->height, 0.0, f->pixel), NULL, "likewise"},
+      {"CRVAL1", sky.ra, NULL, "satellite from the observer [deg]"},
+      {"CRVAL2", sky.dec, NULL, "likewise"},
+      {"CD1_1", sky.cd[0][0], NULL, "[deg]"},
+      {"CD1_2", sky.cd[0][1], NULL, "[deg]"},
+      {"CD2_1", sky.cd[1][0], NULL, "[deg]"},
+      {"CD2_2", sky.cd[1][1], NULL, "[deg]"}};
+  memcpy(cards + n, projection, sizeof projection);
+  n += SKY_CARDS;
+  if (site->kind != UM_OBSERVER_STATION) return n;
+  cards[n++] =
+      (struct um_output_card){"SITELAT", site->latitude / UM_DEG, NULL, "geodetic, WGS-84 [deg]"};
+  cards[n++] = (struct um_output_card){"SITELONG", site->longitude / UM_DEG, NULL, "east [deg]"};
+  cards[n++] = (struct um_output_card){"SITEELEV", site->height, NULL, "above WGS-84 [m]"};
+  return n;
+}
+
 static enum um_status write_fits(struct um_context *context, const struct um_app_options *options,
                                  struct scene *scene)
 {
@@ -121,13 +157,15 @@ static enum um_status write_fits(struct um_context *context, const struct um_app
       {"OUTSIDE", f->frame.outside / gain, NULL, "expected, beside the frame [adu]"},
       {"NSATUR", (double)scene->saturated, NULL, "saturated pixels"}};
   size_t n = sizeof first / sizeof first[0];
-  UM_TRY(um_core_allocate(context, n + 2 + 3 * scene->nstar, sizeof *cards, &cards));
+  UM_TRY(
+      um_core_allocate(context, n + 2 + SKY_CARDS + 3 + 3 * scene->nstar, sizeof *cards, &cards));
   memcpy(cards, first, sizeof first);
   if (isfinite(sensor->optics.saturation))
     cards[n++] = (struct um_output_card){"SATURATE", sensor->optics.saturation / gain, NULL,
                                          "a pixel holds no more [adu]"};
   if (isfinite(scene->airmass))
     cards[n++] = (struct um_output_card){"AIRMASS", scene->airmass, NULL, "Kasten and Young 1989"};
+  n = sky_cards(scene, cards, n);
   n = star_cards(scene, cards, n);
   enum um_status status = um_output_write_fits(context, scene->counts, f->frame.width,
                                                f->frame.height, cards, n, options->out);

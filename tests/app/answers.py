@@ -76,6 +76,7 @@ def commands():
     yield ["export", *BOX, "--as", "trajectory", "-o", "trajectory"]
     yield ["export", *BOX, "--as", "exchange", "-o", "exchange"]
     yield ["export", *BOX, "--as", "network", "-o", "network"]
+    yield ["export", *BOX, "--as", "vtu", "-o", "vtu"]
     yield ["forecast", *BOX, "--days", "0.6", "--times"]
     yield ["forecast", *BOX, "--days", "0.6", "--set", "time.step_s=60", "--no-plots", "--out", "forecast"]
     yield ["forecast", *BOX, "--days", "0.6", "--set", "time.step_s=60", "--no-plots", "--uncertain",

@@ -74,8 +74,9 @@ static void test_json(void **state)
       {{"new", "mine", "--from", "box.obj", "--json"},
        "\"folder\": \"mine\", \"name\": \"mine\", \"parts\": 1, \"start_utc\": \"2026-"},
       {{"import", "lc.csv", "--time", "t", "--magnitude", "V", "-o", "lc-measured.csv", "--json"},
-       "\"quantity\": \"magnitude_vega\", \"of\": \"V\", \"times\": \"UTC\", "
-       "\"put_in_order\": true, \"without_value\": 1}"},
+       "\"quantity\": \"magnitude_vega\", \"of\": \"V\", \"channels\": 1, \"times\": \"UTC\", "
+       "\"put_in_order\": true, \"without_value\": 1, \"rows_of_zeros\": 0, "
+       "\"rows_held\": 0, \"rows_doubled\": 0}"},
       {{"export", "box.yaml", "--as", "exchange", "-o", "factors", "--set",
         "parts.bus.inside_emittance=0.8", "--json"},
        "\"patches_outside\": 0, \"patches_inside\": 6, \"rooms\": 1, \"poses\": 1"},

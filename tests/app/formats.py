@@ -1,0 +1,137 @@
+"""Files for other programs, opened by other programs: xarray, meshio, imageio, astropy.
+
+    formats.py UMBRA BOX.YAML
+"""
+import csv
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import erfa
+import imageio
+import meshio
+import numpy as np
+import xarray as xr
+from astropy.io import fits
+from astropy.time import Time
+from astropy.wcs import WCS
+
+EYE = """
+sensors:
+  eye: {band: vis, aperture_m: 0.5, throughput: 0.1, gain_e: 2, exposure_s: 0.5, pixel_arcsec: 0.7,
+        fwhm_arcsec: 2, dark_e_s: 8, read_noise_e: 3, sky_mag_arcsec2: 19}
+"""
+WHEN = "2016-09-06T18:11:00Z"
+ARCSEC = math.pi / 180 / 3600
+
+
+def rows_of(path):
+    with open(path) as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def look_at_run(folder):
+    """run.nc has the numbers of the tables."""
+    temperature = rows_of(folder / "run/temperatures.csv")
+    light = rows_of(folder / "run/lightcurve.csv")
+    with xr.open_dataset(folder / "run/run.nc") as ds:
+        bus = ds.part_temperature.sel(part="bus").values
+        assert np.allclose(bus, [float(row["bus.mean_K"]) for row in temperature], rtol=1e-8)
+        lwir = ds.irradiance.sel(band="lwir").values
+        seen = [row["lwir_irradiance_W_m2"] for row in light]
+        assert any(seen) and np.allclose(lwir, [float(x) if x else np.nan for x in seen], rtol=1e-8, equal_nan=True)
+
+
+def look_at_grids(folder):
+    """Areas and mean temperatures of the satellite, instant by instant, from grids alone."""
+    temperature = rows_of(folder / "run/temperatures.csv")
+    names = {(row["array"], row["name"]): int(row["number"]) for row in rows_of(folder / "vtu/names.csv")}
+    collection = (folder / "vtu/satellite.pvd").read_text()
+    for k, row in enumerate(temperature):
+        assert f'timestep="{60.0 * k:.3f}" file="satellite-{k:04d}.vtu"' in collection
+        grid = meshio.read(folder / f"vtu/satellite-{k:04d}.vtu")
+        corner = grid.points[grid.cells_dict["triangle"]]
+        area = 0.5 * np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
+        data = {key: value[0] for key, value in grid.cell_data.items()}
+        assert math.isclose(area.sum(), 6.0, rel_tol=1e-12)
+        assert (data["part"] == names["part", "bus"]).all() and (data["back_material"] == -1).all()
+        assert (data["front_material"] == names["material", "grey_white"]).all()
+        assert np.isnan(data["back_temperature_K"]).all()
+        mean = (area * data["front_temperature_K"]).sum() / area.sum()
+        assert math.isclose(mean, float(row["bus.mean_K"]), rel_tol=1e-8), (mean, row["bus.mean_K"])
+        side = data["group"] == names["group", "bus.+x"]
+        assert math.isclose(area[side].sum(), 1.0, rel_tol=1e-12)
+    mesh = meshio.read(folder / "box.obj")
+    assert len(mesh.points) == 8 and sum(len(cells.data) for cells in mesh.cells) in (6, 12)
+
+
+def look_at_picture(folder):
+    """The satellite is in the middle of the picture, the sky about it is black."""
+    picture = np.asarray(imageio.imread(folder / "a.exr"))
+    assert picture.shape[1:] == (32, 3) and picture.dtype == np.float32
+    assert picture.max() > 0.5 and (picture[0] == 0).all() and (picture[len(picture) // 2, 16] > 0).all()
+
+
+def sky_of(folder, header):
+    """The satellite's direction and 'up' in GCRS, from azimuth and elevation and the orbit's table."""
+    row = next(r for r in rows_of(folder / "run/lightcurve.csv") if r["time_utc"].startswith(WHEN[:-1]))
+    azimuth, elevation = (math.radians(float(row[key])) for key in ("azimuth_deg", "elevation_deg"))
+    latitude, longitude = (math.radians(header[key]) for key in ("SITELAT", "SITELONG"))
+    east = np.array([-math.sin(longitude), math.cos(longitude), 0])
+    up = np.array([math.cos(latitude) * math.cos(longitude), math.cos(latitude) * math.sin(longitude), math.sin(latitude)])
+    north = np.cross(up, east)
+    seen = math.cos(elevation) * (math.sin(azimuth) * east + math.cos(azimuth) * north) + math.sin(elevation) * up
+    t = Time(WHEN[:-1], scale="utc")
+    turn = erfa.c2t06a(t.tt.jd1, t.tt.jd2, t.jd1, t.jd2, 0.0, 0.0)  # UT1 as UTC: 0.3 s, 5 arcsec
+    orbit = min(rows_of(folder / "trajectory/orbit.csv"), key=lambda r: abs(Time(r["time_utc"][:-1]) - t).sec)
+    away = np.array([float(orbit[f"{axis}_km"]) for axis in "xyz"])
+    return turn.T @ seen, away / np.linalg.norm(away)
+
+
+def look_at_frame(folder):
+    """Where the frame lies on the sky, by astropy's WCS; and from where it was taken."""
+    with fits.open(folder / "f.fits") as file:
+        header, counts = file[0].header, file[0].data
+    assert (header["SITELAT"], header["SITELONG"], header["SITEELEV"]) == (47.067, 15.493, 495)
+    assert header["EXPTIME"] == 0.5 and header["RADESYS"] == "ICRS"
+    wcs = WCS(header)
+    seen, away = sky_of(folder, header)
+    middle = [(n - 1) / 2 for n in counts.shape[::-1]]
+    assert np.hypot(*(np.array(np.unravel_index(counts.argmax(), counts.shape))[::-1] - middle)) < 4
+    ra, dec = wcs.all_pix2world([middle], 0)[0]
+    got = erfa.s2c(math.radians(ra), math.radians(dec))
+    assert erfa.sepp(got, seen) < 15 * ARCSEC, erfa.sepp(got, seen) / ARCSEC
+    ra, dec = wcs.all_pix2world([[middle[0], middle[1] + 100]], 0)[0]
+    above = erfa.s2c(math.radians(ra), math.radians(dec)) - got
+    up = away - (away @ got) * got
+    assert math.isclose(np.linalg.norm(above), 70 * ARCSEC, rel_tol=1e-4)
+    assert above @ up / np.linalg.norm(above) / np.linalg.norm(up) > 0.9999
+    ra, dec = wcs.all_pix2world([[middle[0] + 100, middle[1]]], 0)[0]
+    right = erfa.s2c(math.radians(ra), math.radians(dec)) - got
+    assert np.cross(above, right) @ got > 0  # as one sees it who looks along `got`
+
+
+def main():
+    umbra, box = (pathlib.Path(name).resolve() for name in sys.argv[1:])
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        shutil.copy(box, folder)
+        (folder / "eye.yaml").write_text(box.read_text() + EYE)
+        for arguments in (["run", "box.yaml", "--no-plots", "-o", "run"], ["export", "box.yaml", "--as", "vtu", "-o", "vtu"],
+                          ["export", "box.yaml", "--as", "mesh", "-o", "box.obj"],
+                          ["export", "box.yaml", "--as", "trajectory", "-o", "trajectory"],
+                          ["render", "box.yaml", "--time", WHEN, "--band", "lwir", "--width", "32", "-o", "a.exr"],
+                          ["render", "eye.yaml", "--time", WHEN, "--sensor", "eye", "--border", "40", "--no-plots", "-o", "f.fits"]):
+            subprocess.run([umbra, *arguments], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        look_at_run(folder)
+        look_at_grids(folder)
+        look_at_picture(folder)
+        look_at_frame(folder)
+    print("1 run, 4 readers: xarray, meshio, imageio, astropy")
+
+
+if __name__ == "__main__":
+    main()
