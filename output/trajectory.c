@@ -61,57 +61,70 @@ enum um_status um_output_instants_choose(struct um_context *context, const struc
   return UM_OK;
 }
 
-/* Files of a trajectory; NULL: not open. */
-enum { ORBIT, ORBIT_MESSAGE, ATTITUDE, ATTITUDE_MESSAGE, FILES };
-static const char *const names[FILES] = {"orbit.csv", "orbit.oem", "attitude.csv", "attitude.aem"};
+/* Files of a trajectory: places, then turns; of each a table, a message of CCSDS, one of CNES. */
+enum { TABLE, CCSDS, CIC, FORMS, FILES = 2 * FORMS };
+static const char *const names[FILES] = {"orbit.csv",    "orbit.oem",    "orbit.cic",
+                                         "attitude.csv", "attitude.aem", "attitude.cic"};
 
-/* Numbers behind a time, into a table and a message. */
-static void put_numbers(FILE *table, FILE *message, const char *utc, const double *value, int n)
+/* Numbers behind a time, into the three files of one kind. CNES counts days of a modified Julian
+ * date and seconds of it. */
+static void put_numbers(FILE *const file[FORMS], double t, const char *utc, const double *value,
+                        int n)
 {
-  fputs(utc, table);
-  fputs(utc, message);
+  double day, seconds;
+  um_orbit_time_utc_clock(t, &day, &seconds);
+  fputs(utc, file[TABLE]);
+  fputs(utc, file[CCSDS]);
+  fprintf(file[CIC], "%.0f %.3f", day, seconds);
   for (int k = 0; k < n; k++) {
     char text[32];
-    um_core_csv_put_exact(table, value[k]);
+    um_core_csv_put_exact(file[TABLE], value[k]);
     um_core_number_text(value[k], text);
-    fprintf(message, " %s", text);
+    for (int form = CCSDS; form <= CIC; form++) fprintf(file[form], " %s", text);
   }
-  fputc('\n', table);
-  fputc('\n', message);
+  for (int form = 0; form < FORMS; form++) fputc('\n', file[form]);
 }
 
-static void put_row(FILE *const file[FILES], const char *utc, const struct um_environment_sample *s)
+static void put_row(FILE *const file[FILES], double t, const char *utc,
+                    const struct um_environment_sample *s)
 {
   const double state[] = {1e-3 * s->r.x, 1e-3 * s->r.y, 1e-3 * s->r.z,
                           1e-3 * s->v.x, 1e-3 * s->v.y, 1e-3 * s->v.z};
   const double q[] = {s->q.w, s->q.x, s->q.y, s->q.z};
-  put_numbers(file[ORBIT], file[ORBIT_MESSAGE], utc, state, 6);
-  put_numbers(file[ATTITUDE], file[ATTITUDE_MESSAGE], utc, q, 4);
+  put_numbers(file, t, utc, state, 6);
+  put_numbers(file + FORMS, t, utc, q, 4);
 }
 
 /* Messages are dated by their first row: the same scenario gives the same bytes. */
 static void put_heads(const struct um_model *model, const struct um_output_instants *instants,
                       FILE *const file[FILES])
 {
+  static const char *const versions[FILES] = {NULL, "CCSDS_OEM_VERS = 2.0", "CIC_OEM_VERS = 2.0",
+                                              NULL, "CCSDS_AEM_VERS = 1.0", "CIC_AEM_VERS = 1.0"};
   const char *name = model->scenario->name;
   char first[32], last[32];
   um_orbit_time_format(instants->from, first);
   um_orbit_time_format(instants->from + instants->step * (double)(instants->count - 1), last);
-  fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", file[ORBIT]);
-  fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", file[ATTITUDE]);
-  fprintf(file[ORBIT_MESSAGE],
-          "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\n"
-          "OBJECT_NAME = %s\nOBJECT_ID = %s\nCENTER_NAME = EARTH\nREF_FRAME = GCRF\n"
-          "TIME_SYSTEM = UTC\nSTART_TIME = %s\nSTOP_TIME = %s\nINTERPOLATION = HERMITE\n"
-          "INTERPOLATION_DEGREE = 3\nMETA_STOP\n\n",
-          first, name, name, first, last);
-  fprintf(file[ATTITUDE_MESSAGE],
-          "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\n"
-          "OBJECT_NAME = %s\nOBJECT_ID = %s\nCENTER_NAME = EARTH\nREF_FRAME_A = GCRF\n"
-          "REF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\nTIME_SYSTEM = UTC\nSTART_TIME = %s\n"
-          "STOP_TIME = %s\nATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = FIRST\nMETA_STOP\n\n"
-          "DATA_START\n",
-          first, name, name, first, last);
+  fputs("# GCRS\ntime_utc,x_km,y_km,z_km,vx_km_s,vy_km_s,vz_km_s\n", file[TABLE]);
+  fputs("# GCRS to body axes, scalar first\ntime_utc,q0,q1,q2,q3\n", file[FORMS + TABLE]);
+  for (int k = 0; k < FILES; k++) {
+    bool cic = k % FORMS == CIC, turns = k >= FORMS;
+    const char *frame = cic ? "ICRF" : "GCRF"; /* CNES knows no GCRF; their axes are one */
+    if (versions[k] == NULL) continue;
+    fprintf(file[k],
+            "%s\nCREATION_DATE = %s\nORIGINATOR = UMBRA\n\nMETA_START\nOBJECT_NAME = %s\n"
+            "OBJECT_ID = %s\nCENTER_NAME = EARTH\n",
+            versions[k], first, name, name);
+    if (turns)
+      fprintf(file[k], "REF_FRAME_A = %s\nREF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\n", frame);
+    else
+      fprintf(file[k], "REF_FRAME = %s\n", frame);
+    fputs("TIME_SYSTEM = UTC\n", file[k]);
+    if (!cic) fprintf(file[k], "START_TIME = %s\nSTOP_TIME = %s\n", first, last);
+    if (turns) fputs("ATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = FIRST\n", file[k]);
+    if (!cic && !turns) fputs("INTERPOLATION = HERMITE\nINTERPOLATION_DEGREE = 3\n", file[k]);
+    fprintf(file[k], "META_STOP\n\n%s", turns && !cic ? "DATA_START\n" : "");
+  }
 }
 
 static enum um_status put_rows(struct um_context *context, const struct um_model *model,
@@ -126,9 +139,9 @@ static enum um_status put_rows(struct um_context *context, const struct um_model
     um_orbit_time_format(instants->from + instants->step * (double)i, utc);
     UM_TRY(um_orbit_time_parse(context, utc, &t)); /* to the millisecond: that of the row */
     UM_TRY(um_model_sample_at(context, model, t, &s));
-    put_row(file, utc, &s);
+    put_row(file, t, utc, &s);
   }
-  fputs("DATA_STOP\n", file[ATTITUDE_MESSAGE]);
+  fputs("DATA_STOP\n", file[FORMS + CCSDS]);
   return UM_OK;
 }
 
