@@ -1,10 +1,13 @@
 /* Tables as others write them, made into CSV in memory, line by line. */
 #include "evidence/measurements/foreign_table.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/core/file.h"
+#include "evidence/measurements/foreign_kind.h"
 
 #define BYTES_MAX ((size_t)1 << 30)
 #define BLANK     ' ' /* as separator: any number of blanks and tabs */
@@ -202,6 +205,33 @@ static enum um_status convert(struct page *page, const char *text, const struct 
   return UM_OK;
 }
 
+static const struct um_compare_foreign_kind *const kinds[] = {
+#define UM_FOREIGN_KIND(name) &um_compare_foreign_##name,
+#include "evidence/measurements/foreign_kinds.def"
+#undef UM_FOREIGN_KIND
+};
+
+/* A file that becomes a table first. *is false: it is none. */
+static enum um_status read_kind(struct um_context *context, const char *path, const char *bytes,
+                                size_t length, struct um_core_csv **out, bool *is)
+{
+  const struct um_compare_foreign_kind *kind = NULL;
+  char *text = NULL;
+  size_t n = 0;
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds && kind == NULL; i++)
+    if (kinds[i]->is(bytes, length)) kind = kinds[i];
+  *is = kind != NULL;
+  if (kind == NULL) return UM_OK;
+  FILE *csv = open_memstream(&text, &n);
+  if (csv == NULL) return um_core_fail(context, UM_ERR_MEMORY, "out of memory");
+  enum um_status status = kind->convert(context, path, bytes, length, csv);
+  bool whole = fclose(csv) == 0;
+  if (status == UM_OK && !whole) status = um_core_fail(context, UM_ERR_MEMORY, "out of memory");
+  if (status == UM_OK) status = um_core_csv_parse(context, path, text, n, out);
+  free(text); /* of the C library */
+  return status;
+}
+
 enum um_status um_compare_foreign_table_read(struct um_context *context, const char *path,
                                              struct um_core_csv **out)
 {
@@ -212,6 +242,9 @@ enum um_status um_compare_foreign_table_read(struct um_context *context, const c
   struct page page = {.context = context};
   *out = NULL;
   UM_CHECK(um_core_file_read(context, path, BYTES_MAX, &text, &length));
+  bool is_kind;
+  UM_CHECK(read_kind(context, path, text, length, out, &is_kind));
+  if (is_kind) goto done;
   if (strlen(text) != length) {
     status = um_core_fail(context, UM_ERR_INPUT, "%s: not a text file; accepted: a table", path);
     goto done;

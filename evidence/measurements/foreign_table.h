@@ -1,4 +1,5 @@
-/* Tables as others write them: any separator, a header line that may be a comment. */
+/* Tables as others write them: any separator, a header line that may be a comment; and files that
+ * become tables (foreign_kinds.def). */
 #ifndef UMBRA_COMPARE_FOREIGN_TABLE_H
 #define UMBRA_COMPARE_FOREIGN_TABLE_H
 

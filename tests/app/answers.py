@@ -77,6 +77,7 @@ def commands():
     yield ["export", *BOX, "--as", "exchange", "-o", "exchange"]
     yield ["export", *BOX, "--as", "network", "-o", "network"]
     yield ["export", *BOX, "--as", "vtu", "-o", "vtu"]
+    yield ["export", *BOX, "--as", "tdm", "-o", "box.tdm"]
     yield ["forecast", *BOX, "--days", "0.6", "--times"]
     yield ["forecast", *BOX, "--days", "0.6", "--set", "time.step_s=60", "--no-plots", "--out", "forecast"]
     yield ["forecast", *BOX, "--days", "0.6", "--set", "time.step_s=60", "--no-plots", "--uncertain",

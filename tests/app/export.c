@@ -80,6 +80,32 @@ static void test_trajectory(void **state)
   table_release(&b);
 }
 
+/* Magnitudes go out and come in again as the same numbers, band by band a track of its own. */
+static void test_tracking_message(void **state)
+{
+  (void)state;
+  command_copy_data("box.yaml");
+  command_expect(0, "run", "box.yaml", "--no-plots", "--out", "run", NULL);
+  command_expect(0, "export", "box.yaml", "--as", "tdm", "-o", "box.tdm", NULL);
+  command_expect(0, "import", "box.tdm", "--time", "time_utc", "--magnitude", "MAG", "--track",
+                 "track", "--band", "vis", "--system", "vega", "-o", "m.csv", NULL);
+  char *text = command_read("m.csv"); /* its first line is a comment */
+  command_write("rows.csv", strchr(text, '\n') + 1);
+  free(text);
+  struct table light = table_read("run/lightcurve.csv"), m = table_read("rows.csv");
+  size_t seen = 0;
+  for (size_t i = 0; i < light.nrow; i++) {
+    if (table_text(&light, i, "vis_mag_vega")[0] == '\0') continue;
+    assert_string_equal(table_text(&m, 2 * seen, "time_utc"), table_text(&light, i, "time_utc"));
+    assert_true(
+        fabs(table_number(&m, 2 * seen, "value") - table_number(&light, i, "vis_mag_vega")) < 6e-8);
+    seen++;
+  }
+  assert_true(seen > 1 && m.nrow == 2 * seen);
+  table_release(&light);
+  table_release(&m);
+}
+
 /* The old name writes the same files and says on one line what it is called now. */
 static void test_old_name(void **state)
 {
@@ -110,7 +136,7 @@ static void test_refusals(void **state)
   static const struct failure failures[] = {
       {{"export", "box.yaml", "--as", "meshes", "-o", "x"},
        "--as meshes: unknown; did you mean 'mesh'?; accepted: exchange, facets, mesh, network, "
-       "trajectory"},
+       "tdm, trajectory, vtu"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "there.obj"},
        "there.obj: exists; accepted: a new name, or --force"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "x.stl"},
@@ -131,6 +157,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_mesh, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_tracking_message, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_trajectory, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_old_name, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refusals, command_enter, command_leave)};

@@ -328,6 +328,52 @@ static void test_sensors(void **state)
   um_compare_measurements_destroy(context, &m);
 }
 
+/* Magnitudes of a tracking data message; TAI was 36 s ahead of UTC in 2016. */
+static void test_tracking_message(void **state)
+{
+  (void)state;
+#define TDM                                                                                        \
+  "CCSDS_TDM_VERS = 2.0\n COMMENT x = y\nCREATION_DATE = 2016-265T00:00:00\nORIGINATOR = X\n\n"
+#define META(scale) "META_START\nTIME_SYSTEM = " scale "\nPARTICIPANT_1 = GRAZ\nMETA_STOP\n"
+  static const char text[] =
+      TDM META("UTC") "DATA_START\nANGLE_1 = 2016-09-21T20:33:00 12.5\n"
+                      "MAG = 2016-09-21T20:33:00 7.25\nMAG=2016-265T20:34:00.5   -0.5\r\n"
+                      "DATA_STOP\n" META("TAI") "DATA_START\n"
+                                                "MAG = 2016-09-21T20:35:36.000 7\nDATA_STOP\n";
+  struct um_compare_columns columns = {
+      .time = "time_utc", .magnitude = "MAG", .track = "track", .band = "V"};
+  struct um_compare_imported found;
+  struct um_compare_measurements *m = import(text, &columns, &found);
+  assert_int_equal(m->count, 3);
+  assert_int_equal(m->ntrack, 2);
+  assert_close(m->row[0].value, 7.25, 0.0);
+  assert_close(m->row[1].value, -0.5, 0.0);
+  assert_close(m->row[1].t_tai - m->row[0].t_tai, 60.5, 1e-6);
+  assert_close(m->row[2].t_tai - m->row[0].t_tai, 120.0, 1e-6);
+  um_compare_measurements_destroy(context, &m);
+  static const struct {
+    const char *text, *says;
+  } faults[] = {
+      {TDM META("UTC") "DATA_START\nRANGE = 2016-09-21T20:33:00 900\nDATA_STOP\n",
+       "t.txt: this TDM has no magnitudes; accepted: MAG rows, of which measurements are made"},
+      {TDM META("UTC") "DATA_START\nMAG = 2016-09-21T20:33:00 7\n",
+       "t.txt:11: DATA_STOP is missing: the file may be cut short"},
+      {TDM META("UTC") "DATA_START\nMAG = 2016-09-21T20:33:00 bright\n",
+       "t.txt:11: 'bright'; accepted: a magnitude"},
+      {TDM META("UTC") "DATA_START\nMAG = 7\n", "t.txt:11: '7'; accepted: a time and a magnitude"},
+      {TDM META("TDB"), "t.txt:7: 'TDB'; accepted: UTC, TAI, TT, GPS"},
+      {TDM "META_START\nMETA_STOP\n",
+       "t.txt:7: 'META_STOP'; accepted: TIME_SYSTEM before it, one of UTC, TAI, TT, GPS"},
+      {TDM "DATA_START\n", "t.txt:6: 'DATA_START'; accepted: META_START before it"},
+      {TDM "rubbish\n", "t.txt:6: 'rubbish'; accepted: KEYWORD = value"},
+  };
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+    put("t.txt", faults[i].text);
+    assert_refused(um_compare_import(context, "t.txt", &columns, &found, &m), UM_ERR_INPUT,
+                   faults[i].says);
+  }
+}
+
 /* The command that is proposed, by names and first rows; and that measurement readers propose it.
  */
 static void test_suggestions(void **state)
@@ -372,8 +418,9 @@ static void test_suggestions(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_forms),   cmocka_unit_test(test_kinds),
-      cmocka_unit_test(test_map),     cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_sensors), cmocka_unit_test(test_suggestions)};
+      cmocka_unit_test(test_forms),      cmocka_unit_test(test_kinds),
+      cmocka_unit_test(test_map),        cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_sensors),    cmocka_unit_test(test_tracking_message),
+      cmocka_unit_test(test_suggestions)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }

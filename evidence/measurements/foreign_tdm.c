@@ -1,0 +1,121 @@
+/* Tracking data messages (TDM, CCSDS 503.0-B) as key = value: what they say of magnitudes, a row
+ * each, `time_utc,track,MAG`. A segment is a track. Angles, ranges and the rest are passed over. */
+#include <math.h>
+#include <string.h>
+
+#include "base/core/csv.h"
+#include "base/core/number.h"
+#include "evidence/measurements/foreign_kind.h"
+#include "orbit/time.h"
+
+struct reader {
+  struct um_context *context;
+  const char *path;
+  FILE *csv;
+  int line, segment;
+  bool meta, data;
+  size_t magnitudes;
+  char scale[16];
+};
+
+static enum um_status refuse(const struct reader *r, const char *what, const char *accepted)
+{
+  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: '%.60s'; accepted: %s", r->path, r->line,
+                      what, accepted);
+}
+
+static char *trimmed(char *text)
+{
+  text += strspn(text, " \t\r");
+  size_t n = strlen(text);
+  while (n > 0 && strchr(" \t\r", text[n - 1]) != NULL) text[--n] = '\0';
+  return text;
+}
+
+/* "MAG = 2016-09-21T20:33:00 7.5": the text behind the '='. */
+static enum um_status magnitude(struct reader *r, char *value)
+{
+  char accepted[200], utc[32], number[32];
+  char *space = value + strcspn(value, " \t");
+  double t, magnitude;
+  if (*space == '\0') return refuse(r, value, "a time and a magnitude");
+  *space = '\0';
+  if (!um_orbit_time_parse_message(value, r->scale, &t, accepted, sizeof accepted))
+    return refuse(r, value, accepted);
+  const char *text = trimmed(space + 1);
+  if (!um_core_number_parse(text, &magnitude)) return refuse(r, text, "a magnitude");
+  um_orbit_time_format(t, utc);
+  um_core_number_text(magnitude, number);
+  fprintf(r->csv, "%s,%d,%s", utc, r->segment, number);
+  r->magnitudes++;
+  return UM_OK;
+}
+
+static enum um_status take_pair(struct reader *r, const char *key, char *value)
+{
+  if (r->meta && strcmp(key, "TIME_SYSTEM") == 0) {
+    if (!um_orbit_time_scale_is_known(value)) return refuse(r, value, "UTC, TAI, TT, GPS");
+    snprintf(r->scale, sizeof r->scale, "%s", value);
+  }
+  return r->data && strcmp(key, "MAG") == 0 ? magnitude(r, value) : UM_OK;
+}
+
+static enum um_status take_line(struct reader *r, char *line)
+{
+  char *text = trimmed(line), *equals = strchr(text, '=');
+  if (strcmp(text, "META_START") == 0) {
+    r->segment++;
+    r->meta = true;
+    r->scale[0] = '\0';
+  } else if (strcmp(text, "META_STOP") == 0) {
+    r->meta = false;
+    if (r->scale[0] == '\0')
+      return refuse(r, text, "TIME_SYSTEM before it, one of UTC, TAI, TT, GPS");
+  } else if (strcmp(text, "DATA_START") == 0 || strcmp(text, "DATA_STOP") == 0) {
+    r->data = text[6] == 'T' && text[7] == 'A';
+    if (r->data && r->segment == 0) return refuse(r, text, "META_START before it");
+  } else if (text[0] != '\0' && strncmp(text, "COMMENT", 7) != 0) {
+    if (equals == NULL) return refuse(r, text, "KEYWORD = value");
+    *equals = '\0';
+    return take_pair(r, trimmed(text), trimmed(equals + 1));
+  }
+  return UM_OK;
+}
+
+static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
+                              size_t length, FILE *csv)
+{
+  enum um_status status = UM_OK;
+  struct reader r = {.context = context, .path = path, .csv = csv};
+  char *text = NULL;
+  UM_TRY(um_core_allocate(context, length + 1, 1, &text));
+  memcpy(text, bytes, length);
+  for (char *at = text, *next; status == UM_OK && at != NULL; at = next) {
+    char *end = at + strcspn(at, "\n");
+    next = *end != '\0' && end[1] != '\0' ? end + 1 : NULL;
+    *end = '\0';
+    if (++r.line == 1)
+      fputs("time_utc,track,MAG", csv); /* where the version stands */
+    else
+      status = take_line(&r, at);
+    fputc('\n', csv);
+  }
+  if (status == UM_OK && r.data)
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s:%d: DATA_STOP is missing: the file may be cut short", path, r.line);
+  if (status == UM_OK && r.magnitudes == 0)
+    status = um_core_fail(context, UM_ERR_INPUT,
+                          "%s: this TDM has no magnitudes; accepted: MAG rows, of which "
+                          "measurements are made",
+                          path);
+  um_core_free(context, text);
+  return status;
+}
+
+static bool is(const char *bytes, size_t length)
+{
+  static const char mark[] = "CCSDS_TDM_VERS";
+  return length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0;
+}
+
+const struct um_compare_foreign_kind um_compare_foreign_tdm = {"TDM", is, convert};
