@@ -12,6 +12,8 @@ struct um_materials_library {
   struct um_materials_sun sun;
   struct um_materials_record **records; /* [count], in order of first appearance */
   size_t count;
+  char **offered; /* [noffered] paths of files that were not read; NULL: it was */
+  size_t noffered;
 };
 
 enum um_status um_materials_library_create(struct um_context *context,
@@ -40,8 +42,23 @@ void um_materials_library_destroy(struct um_materials_library **library)
   struct um_context *context = (*library)->context;
   for (size_t i = 0; i < (*library)->count; i++)
     um_materials_record_destroy(&(*library)->records[i]);
+  um_core_listing_free(context, (*library)->offered, (*library)->noffered);
   UM_FREE(context, (*library)->records, *library);
   *library = NULL;
+}
+
+/* Takes the record; destroys it on failure. */
+static enum um_status add(struct um_context *context, struct um_materials_library *library,
+                          struct um_materials_record *record)
+{
+  enum um_status status =
+      um_core_reallocate(context, library->count + 1, sizeof *library->records, &library->records);
+  if (status != UM_OK) {
+    um_materials_record_destroy(&record);
+    return status;
+  }
+  library->records[library->count++] = record;
+  return UM_OK;
 }
 
 enum um_status um_materials_library_read_file(struct um_context *context,
@@ -57,14 +74,7 @@ enum um_status um_materials_library_read_file(struct um_context *context,
       library->records[i] = record;
       return UM_OK;
     }
-  enum um_status status =
-      um_core_reallocate(context, library->count + 1, sizeof *library->records, &library->records);
-  if (status != UM_OK) {
-    um_materials_record_destroy(&record);
-    return status;
-  }
-  library->records[library->count++] = record;
-  return UM_OK;
+  return add(context, library, record);
 }
 
 enum um_status um_materials_library_read_folder(struct um_context *context,
@@ -85,6 +95,68 @@ done:
   um_core_free(context, path);
   um_core_listing_free(context, names, count);
   return status;
+}
+
+/* ---- on demand ---- */
+
+enum um_status um_materials_library_offer_folder(struct um_context *context,
+                                                 struct um_materials_library *library,
+                                                 const char *folder)
+{
+  enum um_status status = UM_OK;
+  char **names;
+  size_t count, n = library->noffered;
+  UM_TRY(um_core_listing(context, folder, ".yaml", "material records", &names, &count));
+  UM_CHECK(um_core_reallocate(context, n + count, sizeof *library->offered, &library->offered));
+  for (size_t i = 0; i < count; i++) {
+    UM_CHECK(
+        um_core_asprintf(context, &library->offered[library->noffered], "%s/%s", folder, names[i]));
+    library->noffered++;
+  }
+done:
+  um_core_listing_free(context, names, count);
+  return status;
+}
+
+/* Is "folder/NAME.yaml" the file of that name? */
+static bool is_file_of(const char *path, const char *name)
+{
+  const char *slash = strrchr(path, '/');
+  const char *file = slash != NULL ? slash + 1 : path;
+  size_t n = strlen(name);
+  return strncmp(file, name, n) == 0 && strcmp(file + n, ".yaml") == 0;
+}
+
+/* Read one that was offered, unless the library has its name from elsewhere. */
+static enum um_status take(struct um_context *context, struct um_materials_library *library,
+                           size_t index)
+{
+  char *path = library->offered[index];
+  struct um_materials_record *record = NULL;
+  if (path == NULL) return UM_OK;
+  enum um_status status = um_materials_record_read(context, &library->sun, path, NULL, 0, &record);
+  library->offered[index] = NULL;
+  um_core_free(context, path);
+  if (status != UM_OK) return status;
+  if (um_materials_library_find(library, record->name) == NULL)
+    return add(context, library, record);
+  um_materials_record_destroy(&record);
+  return UM_OK;
+}
+
+enum um_status um_materials_library_want(struct um_context *context,
+                                         struct um_materials_library *library, const char *name,
+                                         const struct um_materials_record **out)
+{
+  *out = um_materials_library_find(library, name);
+  for (size_t i = 0; i < library->noffered && *out == NULL; i++) {
+    if (library->offered[i] == NULL || !is_file_of(library->offered[i], name)) continue;
+    UM_TRY(take(context, library, i));
+    *out = um_materials_library_find(library, name);
+  }
+  for (size_t i = 0; i < library->noffered && *out == NULL; i++) UM_TRY(take(context, library, i));
+  if (*out == NULL) *out = um_materials_library_find(library, name);
+  return UM_OK;
 }
 
 enum um_status um_materials_library_folder(struct um_context *context, char **out)

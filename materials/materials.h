@@ -65,6 +65,17 @@ bool um_materials_library_is_of(const struct um_materials_library *library,
 enum um_status um_materials_library_read_folder(struct um_context *context,
                                                 struct um_materials_library *library,
                                                 const char *folder);
+/* Offer the records of a folder, of which none is read until it is wanted. UM_ERR_IO: there is no
+ * such folder. */
+enum um_status um_materials_library_offer_folder(struct um_context *context,
+                                                 struct um_materials_library *library,
+                                                 const char *folder);
+/* The record of that name, read where it is offered in a file of that name, else from whichever
+ * offered file holds it, which all of them are then read for; *out NULL: there is none. Errors as
+ * of reading. */
+enum um_status um_materials_library_want(struct um_context *context,
+                                         struct um_materials_library *library, const char *name,
+                                         const struct um_materials_record **out);
 enum um_status um_materials_library_read_file(struct um_context *context,
                                               struct um_materials_library *library,
                                               const char *path, const char *const *overrides,

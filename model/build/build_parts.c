@@ -6,7 +6,6 @@
 
 #include "base/core/constants.h"
 #include "base/core/suggestions.h"
-#include "model/build/aging_group.h"
 #include "model/build/effects_group.h"
 #include "model/build/messages_group.h"
 
@@ -150,51 +149,6 @@ static enum um_status spec_of(struct um_context *context, struct um_model *model
   return UM_OK;
 }
 
-/* The material under a key is in the library; the message names the nearest. */
-static enum um_status check_material(struct um_context *context, const struct um_model *model,
-                                     const struct um_mark *at, const char *key, const char *name)
-{
-  char near[1024];
-  if (name == NULL || um_materials_library_find(model->library, name) != NULL) return UM_OK;
-  um_materials_library_suggest(model->library, name, near, sizeof near);
-  return um_model_fail(context, at, key, "no material is called '%s'; %s", name, near);
-}
-
-static enum um_status check_shell(struct um_context *context, const struct um_model *model,
-                                  const struct um_scenario_shell *shell)
-{
-  if (shell == NULL) return UM_OK;
-  UM_TRY(check_material(context, model, &shell->at, "material", shell->material));
-  const struct um_scenario_layer *layer = shell->layers.items;
-  for (size_t i = 0; i < shell->layers.count; i++)
-    UM_TRY(check_material(context, model, &layer[i].at, "material", layer[i].material));
-  if (shell->honeycomb == NULL) return UM_OK;
-  const struct um_scenario_honeycomb *panel = shell->honeycomb;
-  UM_TRY(check_material(context, model, &panel->at, "material", panel->material));
-  return check_material(context, model, &panel->at, "core_material", panel->core_material);
-}
-
-/* Every name in a scenario is checked with its line before the geometry is built. */
-static enum um_status check_materials(struct um_context *context, const struct um_model *model,
-                                      const struct um_scenario_part *part)
-{
-  const struct um_scenario_skin *skin = part->materials.items;
-  const struct um_scenario_group *group = part->groups.items;
-  UM_TRY(check_material(context, model, &part->at, "outside", part->outside));
-  UM_TRY(check_material(context, model, &part->at, "front", part->front));
-  UM_TRY(check_material(context, model, &part->at, "back", part->back));
-  for (size_t i = 0; i < part->materials.count; i++) {
-    UM_TRY(check_material(context, model, &skin[i].at, NULL, skin[i].front));
-    UM_TRY(check_material(context, model, &skin[i].at, "back", skin[i].back));
-  }
-  UM_TRY(check_shell(context, model, part->shell));
-  if (part->solid != NULL)
-    UM_TRY(check_material(context, model, &part->solid->at, "material", part->solid->material));
-  for (size_t i = 0; i < part->groups.count; i++)
-    UM_TRY(check_shell(context, model, group[i].shell));
-  return UM_OK;
-}
-
 static enum um_status check_parent(struct um_context *context, const struct um_model *model,
                                    const struct um_scenario_part *part)
 {
@@ -212,54 +166,6 @@ static enum um_status check_parent(struct um_context *context, const struct um_m
                        names[0] == '\0' ? "none, there is no other part" : names);
 }
 
-/* Records hang on the scenario and on the spectrum of the Sun alone: a variant borrows those of its
- * origin. */
-static enum um_status build_library(struct um_context *context, struct um_model *model)
-{
-  static const char *const said[] = {"material_files", NULL};
-  char *folder = NULL;
-  struct um_materials_sun sun;
-  um_environment_sun_shares(&model->environment, &sun);
-  if (um_model_origin_says(model, said) &&
-      um_materials_library_is_of(model->origin->library, &sun)) {
-    model->library = model->origin->library;
-    return UM_OK;
-  }
-  UM_TRY(um_materials_library_create(context, &sun, &model->library));
-  UM_TRY(um_materials_library_folder(context, &folder));
-  enum um_status status = um_materials_library_read_folder(context, model->library, folder);
-  um_core_free(context, folder);
-  UM_TRY(status);
-  const char *const *files = model->scenario->material_files.items;
-  for (size_t i = 0; i < model->scenario->material_files.count; i++) {
-    const char *path = NULL;
-    UM_TRY(um_model_resolve(context, model, &model->scenario->at, files[i], &path));
-    UM_TRY(um_model_blame(context, &model->scenario->at, "material_files",
-                          um_materials_library_read_file(context, model->library, path, NULL, 0)));
-  }
-  return UM_OK;
-}
-
-static enum um_status build_records(struct um_context *context, struct um_model *model)
-{
-  size_t n = um_geometry_material_count(model->geometry);
-  UM_TRY(um_core_allocate(context, n, sizeof *model->material, &model->material));
-  for (size_t i = 0; i < n; i++)
-    model->material[i] =
-        um_materials_library_find(model->library, um_geometry_material_name(model->geometry, i));
-  UM_TRY(um_core_allocate(context, n, sizeof *model->adjustment, &model->adjustment));
-  UM_TRY(um_model_materials_at(context, model, model->scenario->time->start, model->adjustment));
-  UM_TRY(um_core_allocate(context, n, sizeof *model->thickened, &model->thickened));
-  for (size_t i = 0; i < n; i++) { /* layers are as thick as at the start, all the time */
-    double factor = model->adjustment[i].thickness_scale;
-    if (factor == 1.0 || !um_materials_has_layers(model->material[i])) continue;
-    UM_TRY(um_materials_library_thickened(context, model->library, model->material[i], factor,
-                                          &model->thickened[i]));
-    model->material[i] = model->thickened[i];
-  }
-  return UM_OK;
-}
-
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model)
 {
   size_t n = model->scenario->parts.count;
@@ -268,12 +174,11 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
   if (n == 0)
     return um_model_fail(context, &model->scenario->at, "parts",
                          "is empty; accepted: one part or more");
-  UM_TRY(build_library(context, model));
+  UM_TRY(um_model_build_library(context, model));
   UM_TRY(um_model_build_bands(context, model));
   UM_TRY(um_core_allocate(context, n, sizeof *specs, &specs));
   for (size_t i = 0; i < n; i++) {
     UM_CHECK(spec_of(context, model, part_at(model, i), &specs[i]));
-    UM_CHECK(check_materials(context, model, part_at(model, i)));
     UM_CHECK(check_parent(context, model, part_at(model, i)));
   }
   if (model->halvings == NULL) UM_CHECK(um_model_build_facets(context, model));
@@ -283,7 +188,7 @@ enum um_status um_model_build_parts(struct um_context *context, struct um_model 
     status = um_model_blame_part(context, model, status);
     goto done;
   }
-  UM_CHECK(build_records(context, model));
+  UM_CHECK(um_model_build_records(context, model));
   /* a variant has the parts of its origin, which said it */
   if (model->origin == NULL) UM_CHECK(um_model_warn_coincident(context, model));
 done:

@@ -50,6 +50,12 @@ enum um_status um_model_build_effect_files(struct um_context *context, struct um
 /* thermal.facets into model->halvings, left NULL without. UM_ERR_INPUT with file, line, column. */
 enum um_status um_model_build_facets(struct um_context *context, struct um_model *model);
 
+/* library with the records that the scenario names, which a variant borrows where it names none
+ * else. UM_ERR_INPUT: no record is called so, and what records are refused for. */
+enum um_status um_model_build_library(struct um_context *context, struct um_model *model);
+/* material, adjustment and thickened: the records of the geometry's materials. */
+enum um_status um_model_build_records(struct um_context *context, struct um_model *model);
+
 /* library, geometry, material records of it. */
 enum um_status um_model_build_parts(struct um_context *context, struct um_model *model);
 
