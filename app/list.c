@@ -39,6 +39,9 @@ int um_app_list(struct um_context *context, const struct um_app_options *options
     fprintf(stderr, "umbra: --effect-file belongs to umbra list effects, not to %s\n", word);
     return UM_APP_MISUSE;
   }
+  if (thing->offers != UM_APP_MATERIALS &&
+      um_app_options_refuse(options, "spectra force no-plots", "belongs to umbra list materials"))
+    return UM_APP_MISUSE;
   struct um_app_options of = *options; /* its lists are the caller's */
   of.npositional--;
   for (int i = 0; i < of.npositional; i++) of.positional[i] = options->positional[i + 1];

@@ -247,12 +247,12 @@ static const struct um_app_verb verbs[] = {
                  "umbra import track.txt -o measured.csv --noise 0.02\n",
      .run = um_app_import, .group = UM_APP_OBSERVE},
     {"list", "WHAT [ITEM]", "materials, filters, sensors, effects, keys or scenarios",
-     .accepts = "effect-file",
+     .accepts = "effect-file spectra " RESULTS,
      .about = "What comes with the program, or with effects of your own. With ITEM the "
               "page of one. Of keys ITEM is a path as --set takes it, without names and numbers of "
               "elements or with; --json gives the JSON Schema.",
      .examples = "umbra list scenarios\n"
-                 "umbra list materials mli_kapton\n"
+                 "umbra list materials mli_kapton --out spectrum\n"
                  "umbra list effects panel_extraction\n"
                  "umbra list keys parts.shell\n",
      .run = um_app_list, .group = UM_APP_LOOK_UP},

@@ -213,6 +213,25 @@ struct um_materials_catalogue {
 };
 struct um_materials_catalogue um_materials_catalogue(const struct um_materials_record *record);
 
+/* Wavelengths between which the optical numbers of a record are measured [m], NaN where it claims
+ * no measurement, and the shares that lie outside [1]: of sunlight, and of the radiation of a black
+ * body at UM_REFERENCE_TEMPERATURE. */
+struct um_materials_measured_range {
+  double from, to, solar_outside, heat_outside;
+};
+struct um_materials_measured_range
+um_materials_measured_range(const struct um_materials_record *record);
+/* Published changes of a surface by ageing, in the order of the record; nothing but effects applies
+ * them. */
+struct um_materials_ageing {
+  const char *after;                   /* what the surface went through */
+  double solar_absorptance, emittance; /* changes [1]; NaN: not published */
+  const char *source;
+};
+size_t um_materials_ageing_count(const struct um_materials_record *record);
+struct um_materials_ageing um_materials_ageing_at(const struct um_materials_record *record,
+                                                  size_t index);
+
 /* Bulk properties; NaN where the record has none. */
 struct um_materials_bulk {
   double density;             /* [kg/m^3] */

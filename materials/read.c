@@ -149,6 +149,7 @@ static enum um_status read_input(struct um_context *context, const struct um_mat
 {
   UM_TRY(check_name(context, in));
   UM_TRY(read_texts(context, in, record));
+  UM_TRY(um_materials_published_read(context, sun, in, record));
   UM_TRY(um_materials_bulk_read(context, in->thermal, record));
   if (in->sheet != NULL && in->substrate == NULL)
     return um_document_mark_fail(context, &in->sheet->at,
@@ -208,6 +209,7 @@ void um_materials_record_destroy(struct um_materials_record **record)
   }
   um_materials_layers_free(context, &r->layers);
   um_materials_bulk_free(r);
+  um_materials_published_free(r);
   um_core_free(context, r->albedo);
   um_materials_measured_destroy(context, &r->measured);
   UM_FREE(context, r->explicit_values.bands, r->name, r->summary, r->citation, r->source, r);

@@ -77,6 +77,9 @@ struct um_materials_record {
                      um_materials_lobe_albedo has a table of its own */
   struct um_materials_measured *measured; /* of a lobe of that kind; NULL of others */
   struct um_materials_catalogue catalogue;
+  struct um_materials_measured_range measured_range;
+  struct um_materials_ageing *ageing; /* [nageing] */
+  size_t nageing;
   struct um_materials_bulk bulk;
   struct um_materials_table specific_heat, conductivity;            /* [J/kg/K], [W/m/K] */
   struct um_materials_grey explicit_values;                         /* of a grey record */

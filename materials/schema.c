@@ -213,6 +213,21 @@ OBJECT(catalogue_object, struct um_materials_catalogue_input, "catalogue values"
        "Published integrals that the record is held against when it is loaded.",
        FIELDS(catalogue_fields));
 
+#define OF struct um_materials_ageing_input
+static const struct um_schema_field ageing_fields[] = {
+    F(after, UM_SCHEMA_TEXT, REQUIRED, HELP("What the surface went through: light, years, orbit.")),
+    F_AS(absorptance, "solar_absorptance_change", UM_SCHEMA_NUMBER, BETWEEN(-1.0, 1.0), NO_DEFAULT,
+         HELP("Published change of the solar absorptance; the `shift` of the effect "
+              "solar_absorptance.")),
+    F_AS(emittance, "emittance_change", UM_SCHEMA_NUMBER, BETWEEN(-1.0, 1.0), NO_DEFAULT,
+         HELP("Published change of the emittance.")),
+    F(source, UM_SCHEMA_TEXT, REQUIRED, HELP("Where it comes from.")),
+};
+#undef OF
+OBJECT(ageing_object, struct um_materials_ageing_input, "ageing",
+       "A published change of the surface; shown, and never applied without an effect.",
+       FIELDS(ageing_fields));
+
 #define PART(member, key, part, text, ...)                                                         \
   UM_FIELD(struct um_materials_input, member, key, UM_SCHEMA_MAP, .object = &part, .help = text,   \
            __VA_ARGS__)
@@ -223,6 +238,9 @@ static const struct um_schema_field record_fields[] = {
     F(summary, UM_SCHEMA_TEXT, REQUIRED, HELP("One line.")),
     F(citation, UM_SCHEMA_TEXT, REQUIRED,
       HELP("Where the numbers come from, and what was assumed.")),
+    F_AS(measured, "measured_um", UM_SCHEMA_NUMBERS, POSITIVE(1e6),
+         HELP("[from, to] between which the optical numbers are measured; without it the record "
+              "claims no measurement.")),
     PART(grey, "grey", grey_object, "Explicit numbers.", .alternative = 1),
     PART(reflectance, "reflectance", reflectance_object, "Reflectance table.", .alternative = 1),
     PART(substrate, "substrate", substrate_object, "Optical constants.", .alternative = 1),
@@ -233,6 +251,7 @@ static const struct um_schema_field record_fields[] = {
     PART(lobe, "lobe", lobe_object, "Spread of the specular part.", .alternative = 0),
     PART(thermal, "thermal", thermal_object, "Bulk properties.", .alternative = 0),
     PART(catalogue, "catalogue", catalogue_object, "Published integrals.", .alternative = 0),
+    F(ageing, UM_SCHEMA_LIST, .object = &ageing_object, HELP("Published changes by ageing.")),
 };
 #undef OF
 static const int one_description[] = {1, 0};

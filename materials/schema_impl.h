@@ -78,9 +78,17 @@ struct um_materials_catalogue_input {
   const char *source;
 };
 
+/* One published change. */
+struct um_materials_ageing_input {
+  struct um_mark at;
+  double absorptance, emittance; /* changes [1]; NaN: not published */
+  const char *after, *source;
+};
+
 struct um_materials_input {
   struct um_mark at;
   const char *name, *summary, *citation;
+  struct um_schema_list measured; /* of double: from, to [um] */
   struct um_materials_grey_input *grey;
   struct um_materials_reflectance_input *reflectance;
   struct um_materials_constants_input *substrate, *sheet;
@@ -89,6 +97,7 @@ struct um_materials_input {
   struct um_materials_lobe_input *lobe;
   struct um_materials_thermal_input *thermal;
   struct um_materials_catalogue_input *catalogue;
+  struct um_schema_list ageing; /* of struct um_materials_ageing_input */
 };
 
 /* Check the description, set the record's lobe and build its spectral grid. UM_ERR_INPUT names
@@ -117,6 +126,14 @@ enum um_status um_materials_spectral_lobe_read(struct um_context *context,
 enum um_status um_materials_lobe_read(struct um_context *context,
                                       const struct um_materials_input *in, double stated,
                                       struct um_materials_record *record);
+
+/* published.c: what a record says of its numbers: over which wavelengths they are measured, how the
+ * surface ages. UM_ERR_INPUT as above; UM_ERR_MEMORY. */
+enum um_status um_materials_published_read(struct um_context *context,
+                                           const struct um_materials_sun *sun,
+                                           const struct um_materials_input *in,
+                                           struct um_materials_record *record);
+void um_materials_published_free(struct um_materials_record *record);
 
 /* bulk.c: the record's bulk properties. UM_ERR_INPUT as above; UM_ERR_MEMORY. */
 enum um_status um_materials_bulk_read(struct um_context *context,

@@ -123,7 +123,7 @@ def commands():
     yield ["report", "run", "compare", "-o", "both.html"]
     yield ["serve", *BOX, "--only", "emittance"]
     yield ["import", "table.csv", "--time", "UTC", "--magnitude", "V", "--sigma", "Verr", "-o", "table-measured.csv"]
-    for thing, item in (("materials", "grey_white"), ("filters", "johnson_v"), ("sensors", "ufo"),
+    for thing, item in (("materials", "osr"), ("filters", "johnson_v"), ("sensors", "ufo"),
                         ("effects", "emittance"), ("keys", "parts"), ("scenarios", "cube")):
         yield ["list", thing]
         yield ["list", thing, item]
