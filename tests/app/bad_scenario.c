@@ -145,7 +145,7 @@ static const struct bad_case cases[] = {
         .scenario = {"outside:", "materials: {+x: nothing}\n    outside:", 0},
         .line_of = "+x:",
         .says = {"parts.bus.materials.+x", "no material is called 'nothing'",
-                 "accepted: aluminium_anodised"},
+                 "accepted: ", ", aluminium_anodised, "},
     },
     {
         .name = "missing material of a wall",

@@ -52,7 +52,7 @@ static const struct um_materials_record *find(const char *name)
 }
 
 /* Every record that quotes a catalogue lies inside its stated tolerance, and loading said nothing.
- */
+ * One whose numbers are chosen, not measured, must quote one. */
 static void catalogue(void **state)
 {
   (void)state;
@@ -68,7 +68,7 @@ static void catalogue(void **state)
                   c.solar_absorptance, c.solar_absorptance_tolerance, e, c.emittance,
                   c.emittance_tolerance, c.emittance_is_normal ? "normal" : "");
     if (c.source == NULL) {
-      assert_true(um_materials_is_grey(r));
+      assert_true(um_materials_is_grey(r) || !isnan(um_materials_measured_range(r).from));
       continue;
     }
     check_near(um_materials_name(r), a, c.solar_absorptance, c.solar_absorptance_tolerance);
