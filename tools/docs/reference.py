@@ -93,27 +93,83 @@ def number(value):
     return "-" if value is None else f"{value:.3f}"
 
 
+def measured(record):
+    """What a record claims to be measured, and what lies outside."""
+    if record["measured_from_um"] is None:
+        return "No measured constants or reflectance: the numbers are chosen, as the citation says."
+    return (
+        f"Measured from {record['measured_from_um']:.4g} to {record['measured_to_um']:.4g} µm. Constant outside, "
+        f"if the citation says nothing else: {100 * record['solar_outside']:.2f} % of sunlight, "
+        f"{100 * record['heat_outside']:.1f} % of the heat of 300 K."
+    )
+
+
+def published(value, tolerance):
+    return "-" if value is None else f"{value:.3f} ± {tolerance:.3f}"
+
+
+def ageing(record):
+    text = ""
+    for a in record["ageing"]:
+        text += f"- After {a['after']}:"
+        if a["solar_absorptance_change"] is not None:
+            shift = a["solar_absorptance_change"]
+            text += f" solar absorptance {shift:+.3g}, as `--with solar_absorptance:{record['name']},shift={shift:g}`."
+        if a["emittance_change"] is not None:
+            text += f" Emittance {a['emittance_change']:+.3g}."
+        text += f" {a['source']}\n"
+    return "\n## Ageing\n\n" + text if text else ""
+
+
+def material_page(program, record):
+    name = record["name"]
+    row = "| {} | {} | {} |\n".format
+    solar = published(record["catalogue_solar_absorptance"], record["catalogue_solar_absorptance_tolerance"])
+    heat = published(record["catalogue_emittance"], record["catalogue_emittance_tolerance"])
+    text = f"# {name}\n\n{record['summary']}\n\n![Reflectance over wavelength]({name}.svg)\n\n"
+    text += f"{measured(record)} The curves as a table: [{name}.csv]({name}.csv).\n\n"
+    text += "| | of the record | catalogue |\n|---|---|---|\n"
+    text += row("solar absorptance, ASTM E490, normal incidence", number(record["solar_absorptance"]), solar)
+    normal = record["catalogue_emittance_is_normal"]
+    text += row("emittance at 300 K, hemispherical", number(record["emittance"]), "-" if normal else heat)
+    text += row("emittance at 300 K, normal", number(record["normal_emittance"]), heat if normal else "-")
+    text += f"\nCatalogue: {record['catalogue_source']}\n" if record["catalogue_source"] else ""
+    text += ageing(record)
+    return text + f"\n## Citation\n\n{record['source']}\n\n## As printed\n\n" + block(program.ask("materials", name))
+
+
 def materials(program, folder):
+    """A page a record with its spectrum, as `umbra list materials --out` draws it."""
     records = json.loads(program.ask("materials", "--json"))
+    spectra = folder / "reference/materials"
+    spectra.parent.mkdir(parents=True, exist_ok=True)
+    program.ask("materials", "--out", str(spectra))
+    for file in spectra.iterdir():
+        if file.suffix not in (".svg", ".csv"):
+            file.unlink()
     text = (
         "# Materials\n\nRecords that come with the program, as `umbra list materials` has them: solar absorptance "
-        "over ASTM E490 at normal incidence; emittance of 300 K, hemispherical and normal. How a record "
-        "is written: [material records](../materials/library/README.md).\n\n"
-        "| material | absorptance | catalogue | emittance | normal | catalogue |\n|---|---|---|---|---|---|\n"
+        "over ASTM E490 at normal incidence; emittance of 300 K, hemispherical and normal; the wavelengths between "
+        "which n and k, or reflectances, are measured. How a record is written: "
+        "[material records](../../materials/library/README.md).\n\n"
+        "| material | absorptance | catalogue | emittance | normal | catalogue | measured [µm] |\n"
+        "|---|---|---|---|---|---|---|\n"
     )
+    pages = []
     for r in records:
         row = [
-            f"[{r['name']}](#{r['name']})",
+            f"[{r['name']}]({r['name']}.md)",
             number(r["solar_absorptance"]),
-            number(r.get("catalogue_solar_absorptance")),
+            number(r["catalogue_solar_absorptance"]),
             number(r["emittance"]),
             number(r["normal_emittance"]),
-            number(r.get("catalogue_emittance")),
+            number(r["catalogue_emittance"]),
+            "-" if r["measured_from_um"] is None else f"{r['measured_from_um']:.3g} - {r['measured_to_um']:.3g}",
         ]
         text += "| " + " | ".join(row) + " |\n"
-    for r in records:
-        text += f"\n## {r['name']}\n\n{r['summary']}\n\n" + block(program.ask("materials", r["name"]))
-    put(folder, "reference/materials.md", text)
+        pages.append({r["name"]: put(folder, f"reference/materials/{r['name']}.md", material_page(program, r))})
+    put(folder, "reference/materials/README.md", text)
+    return ["reference/materials/README.md", *pages]
 
 
 def instruments(program, folder):
@@ -172,7 +228,6 @@ def everything(program, header, folder):
     """All pages into the folder; the lists that the navigation wants, by name."""
     program = Program(program)
     keys(program, folder)
-    materials(program, folder)
     instruments(program, folder)
     c_interface(pathlib.Path(header), folder)
-    return {"commands": commands(program, folder), "effects": effects(folder)}
+    return {"commands": commands(program, folder), "effects": effects(folder), "materials": materials(program, folder)}
