@@ -1,4 +1,6 @@
 /* The material records of a model: those that the scenario names are read, and no others. */
+#include <math.h>
+
 #include "model/build/aging_group.h"
 #include "model/build/effects_group.h"
 #include "model/build/messages_group.h"
@@ -118,6 +120,21 @@ enum um_status um_model_build_library(struct um_context *context, struct um_mode
 
 /* ---- records ---- */
 
+/* Light in a band in which nothing was measured of a surface is a guess. */
+static void warn_unmeasured(struct um_context *context, const struct um_model *model,
+                            const struct um_materials_record *record)
+{
+  struct um_materials_measured_range m = um_materials_measured_range(record);
+  for (size_t b = 0; b < model->nband && !isnan(m.from); b++) {
+    const struct um_optics_band *band = &model->band[b];
+    if (band->from >= m.from && band->to <= m.to) continue;
+    um_core_log(context, UM_LOG_WARNING,
+                "band %s, %.4g to %.4g um: material %s is measured from %.4g to %.4g um only",
+                band->name, band->from * 1e6, band->to * 1e6, um_materials_name(record),
+                m.from * 1e6, m.to * 1e6);
+  }
+}
+
 enum um_status um_model_build_records(struct um_context *context, struct um_model *model)
 {
   size_t n = um_geometry_material_count(model->geometry);
@@ -125,6 +142,8 @@ enum um_status um_model_build_records(struct um_context *context, struct um_mode
   for (size_t i = 0; i < n; i++)
     model->material[i] =
         um_materials_library_find(model->library, um_geometry_material_name(model->geometry, i));
+  for (size_t i = 0; i < n && model->origin == NULL; i++)
+    warn_unmeasured(context, model, model->material[i]);
   UM_TRY(um_core_allocate(context, n, sizeof *model->adjustment, &model->adjustment));
   UM_TRY(um_model_materials_at(context, model, model->scenario->time->start, model->adjustment));
   UM_TRY(um_core_allocate(context, n, sizeof *model->thickened, &model->thickened));

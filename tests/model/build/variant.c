@@ -284,43 +284,10 @@ static int tear_down(void **state)
   return um_test_folder_remove(base) == 0 ? context_tear_down(state) : -1;
 }
 
-/* A model reads the records that it names and no others; a variant borrows them, and reads its own
- * where it names another. */
-static void test_materials(void **state)
-{
-  (void)state;
-  const struct um_document_change gold = {
-      .key = "parts.box.outside", .number = NAN, .text = "gold"};
-  const struct um_document_change none = {
-      .key = "parts.box.outside", .number = NAN, .text = "goldd"};
-  const struct um_document_change albedo = {.key = "environment.albedo", .number = 0.25};
-  const struct um_model_options options = {0};
-  struct um_model *origin = NULL, *variant = NULL;
-  need(um_model_create(context, path, &options, &origin));
-  assert_int_equal(um_materials_library_count(origin->library), 1);
-  need(um_model_variant_create(context, origin,
-                               &(struct um_model_changes){.key = &albedo, .nkey = 1}, &variant));
-  assert_ptr_equal(variant->library, origin->library);
-  um_model_destroy(context, &variant);
-  need(um_model_variant_create(context, origin, &(struct um_model_changes){.key = &gold, .nkey = 1},
-                               &variant));
-  assert_ptr_not_equal(variant->library, origin->library);
-  assert_int_equal(um_materials_library_count(origin->library), 1);
-  assert_string_equal(um_materials_name(variant->material[0]), "gold");
-  um_model_destroy(context, &variant);
-  assert_int_equal(um_model_variant_create(context, origin,
-                                           &(struct um_model_changes){.key = &none, .nkey = 1},
-                                           &variant),
-                   UM_ERR_REFUSED);
-  assert_non_null(strstr(um_core_message(context), "did you mean gold"));
-  um_model_destroy(context, &origin);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_keys), cmocka_unit_test(test_effects),
                                      cmocka_unit_test(test_of_its_own),
-                                     cmocka_unit_test(test_shares),
-                                     cmocka_unit_test(test_materials)};
+                                     cmocka_unit_test(test_shares)};
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }
