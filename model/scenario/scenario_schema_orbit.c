@@ -183,7 +183,7 @@ static const struct um_schema_field magnetic_fields[] = {
 };
 #undef OF
 OBJECT(magnetic_object, struct um_scenario_magnetic, "magnetic",
-       "A passive magnet: a body axis lies along the Earth's magnetic field (IGRF-14 to degree 4).",
+       "A passive magnet: a body axis lies along the Earth's magnetic field (IGRF-14).",
        FIELDS(magnetic_fields));
 
 #define OF struct um_scenario_tumble
