@@ -6,6 +6,7 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include "thermal/solver/exchange_solve_group.h"
+#include "thermal/solver/sundials_impl.h"
 
 struct content {
   struct um_thermal_system *system; /* borrowed */
@@ -50,7 +51,8 @@ static enum um_status inner_solve(void *self, size_t count, double *x)
   return UM_OK;
 }
 
-static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b, realtype unused)
+static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
+                 sunrealtype unused)
 {
   struct content *c = content_of(solver);
   const struct um_thermal_inner inner = {inner_solve, c};
@@ -59,12 +61,12 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector 
   if (to != from) memcpy(to, from, c->system->nunknown * sizeof *to);
   enum um_status status = um_thermal_exchange_solve(c->solver, &inner, SUNSparseMatrix_Data(matrix),
                                                     *c->scale, *c->tolerance, NULL, 1, to);
-  return status == UM_OK ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
+  return status == UM_OK ? 0 : SUN_ERR_EXT_FAIL;
 }
 
 static int release(SUNLinearSolver solver)
 {
-  if (solver == NULL) return SUNLS_SUCCESS;
+  if (solver == NULL) return 0;
   struct content *c = content_of(solver);
   if (c != NULL) {
     um_thermal_exchange_solver_destroy(&c->solver);
@@ -74,7 +76,7 @@ static int release(SUNLinearSolver solver)
     free(c);
   }
   SUNLinSolFreeEmpty(solver);
-  return SUNLS_SUCCESS;
+  return 0;
 }
 
 SUNLinearSolver um_thermal_exchange_sundials(struct um_thermal_system *system,

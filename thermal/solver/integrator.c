@@ -166,7 +166,7 @@ static enum um_status step_once(struct um_thermal_integrator *integrator)
     SUN_CHECK(CVodeGetRootInfo(integrator->cvodes, integrator->root));
   }
   if (integrator->t < end && !integrator->switched) return UM_OK;
-  realtype at;
+  sunrealtype at;
   if (!integrator->system->options.no_audit)
     SUN_CHECK(CVodeGetQuad(integrator->cvodes, &at, integrator->quadrature));
   return UM_OK;

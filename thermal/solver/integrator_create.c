@@ -24,7 +24,7 @@ static enum um_status vectors_create(struct um_thermal_integrator *integrator)
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(double), &integrator->slope_before));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(int), &integrator->root));
   UM_TRY(um_core_allocate(context, nthermostat, sizeof(bool), &integrator->heating));
-  if (SUNContext_Create(NULL, &integrator->sun) != 0)
+  if (SUNContext_Create(SUN_COMM_NULL, &integrator->sun) != 0)
     return um_thermal_integrator_fail(integrator, CV_MEM_FAIL);
   sunindextype n = (sunindextype)system->nunknown;
   integrator->y = um_thermal_vector_create(system->nunknown, integrator->sun);
@@ -66,7 +66,7 @@ bool um_thermal_integrator_has_switches(const struct um_thermal_system *system)
 enum um_status um_thermal_integrator_set_up(struct um_thermal_integrator *integrator)
 {
   void *cvodes = integrator->cvodes;
-  SUN_CHECK(CVodeSetErrHandlerFn(cvodes, um_thermal_integrator_words, integrator));
+  SUN_CHECK(um_thermal_words_of_cvodes(cvodes, integrator->sun, &integrator->words));
   SUN_CHECK(CVodeInit(cvodes, um_thermal_integrator_rate, 0.0, integrator->y));
   SUN_CHECK(CVodeSetUserData(cvodes, integrator));
   UM_TRY(um_thermal_integrator_tolerances(integrator));

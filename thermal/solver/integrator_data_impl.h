@@ -7,6 +7,7 @@
 #include <cvodes/cvodes.h>
 
 #include "thermal/solver/linear_group.h"
+#include "thermal/solver/sundials_impl.h"
 #include "thermal/solver/system_group.h"
 
 struct um_thermal_integrator {
@@ -32,8 +33,8 @@ struct um_thermal_integrator {
   bool switched;                     /* one did at t: a new start is due */
   bool *heating;                     /* [nthermostat] on during the last step */
   size_t steps, rhs_evaluations, jacobians, run_steps;
-  bool balance_lost; /* an eliminated node found no temperature */
-  char words[256];   /* of CVODES */
+  bool balance_lost;             /* an eliminated node found no temperature */
+  struct um_thermal_words words; /* of CVODES */
 };
 
 /* Return with what a call of SUNDIALS says in `integrator`. */
@@ -43,22 +44,19 @@ struct um_thermal_integrator {
     if (sun_code_ < 0) return um_thermal_integrator_fail(integrator, sun_code_);                   \
   } while (0)
 
-/* CVODES' own messages, kept for the error; the form is CVODES'. */
-void um_thermal_integrator_words(int code, const char *module, const char *function, char *message,
-                                 void *self);
 /* UM_ERR_NUMERIC, UM_ERR_MEMORY or UM_ERR_CANCELLED with time, place and cause. */
 enum um_status um_thermal_integrator_fail(struct um_thermal_integrator *integrator, int code);
 
 /* Callbacks; `self` is the integrator. dy/dt [K/s]; */
-int um_thermal_integrator_rate(realtype t, N_Vector y, N_Vector rate, void *self);
+int um_thermal_integrator_rate(sunrealtype t, N_Vector y, N_Vector rate, void *self);
 /* Newton's matrix; */
-int um_thermal_integrator_newton(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix,
-                                 booleantype kept, booleantype *fresh, realtype gamma, void *self,
-                                 N_Vector work1, N_Vector work2, N_Vector work3);
+int um_thermal_integrator_newton(sunrealtype t, N_Vector y, N_Vector rate, SUNMatrix matrix,
+                                 sunbooleantype kept, sunbooleantype *fresh, sunrealtype gamma,
+                                 void *self, N_Vector work1, N_Vector work2, N_Vector work3);
 /* sensor minus threshold of every thermostat [K]; */
-int um_thermal_integrator_switches(realtype t, N_Vector y, realtype *out, void *self);
+int um_thermal_integrator_switches(sunrealtype t, N_Vector y, sunrealtype *out, void *self);
 /* heat over the satellite's border now, by enum um_thermal_audit_term [W]. */
-int um_thermal_integrator_audit_rate(realtype t, N_Vector y, N_Vector out, void *self);
+int um_thermal_integrator_audit_rate(sunrealtype t, N_Vector y, N_Vector out, void *self);
 
 /* Fills stop and nstop. UM_ERR_MEMORY. */
 enum um_status um_thermal_integrator_stops(struct um_thermal_integrator *integrator,

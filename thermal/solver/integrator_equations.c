@@ -7,7 +7,7 @@
 #include "thermal/solver/integrator_data_impl.h"
 #include "thermal/solver/integrator_group.h"
 
-int um_thermal_integrator_rate(realtype t, N_Vector y, N_Vector rate, void *self)
+int um_thermal_integrator_rate(sunrealtype t, N_Vector y, N_Vector rate, void *self)
 {
   struct um_thermal_integrator *integrator = self;
   integrator->rhs_evaluations++;
@@ -21,9 +21,9 @@ int um_thermal_integrator_rate(realtype t, N_Vector y, N_Vector rate, void *self
 }
 
 /* Newton's matrix I - gamma J, always with a fresh J: evaluating it costs less than a copy. */
-int um_thermal_integrator_newton(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix,
-                                 booleantype kept, booleantype *fresh, realtype gamma, void *self,
-                                 N_Vector work1, N_Vector work2, N_Vector work3)
+int um_thermal_integrator_newton(sunrealtype t, N_Vector y, N_Vector rate, SUNMatrix matrix,
+                                 sunbooleantype kept, sunbooleantype *fresh, sunrealtype gamma,
+                                 void *self, N_Vector work1, N_Vector work2, N_Vector work3)
 {
   (void)rate, (void)kept, (void)work1, (void)work2, (void)work3;
   struct um_thermal_integrator *integrator = self;
@@ -42,7 +42,7 @@ int um_thermal_integrator_newton(realtype t, N_Vector y, N_Vector rate, SUNMatri
 }
 
 /* Sensor minus the threshold that is next, of every thermostat [K]. */
-int um_thermal_integrator_switches(realtype t, N_Vector y, realtype *out, void *self)
+int um_thermal_integrator_switches(sunrealtype t, N_Vector y, sunrealtype *out, void *self)
 {
   (void)t;
   struct um_thermal_integrator *integrator = self;
@@ -62,7 +62,7 @@ int um_thermal_integrator_switches(realtype t, N_Vector y, realtype *out, void *
 }
 
 /* Heat over the satellite's border now [W]. */
-int um_thermal_integrator_audit_rate(realtype t, N_Vector y, N_Vector out, void *self)
+int um_thermal_integrator_audit_rate(sunrealtype t, N_Vector y, N_Vector out, void *self)
 {
   struct um_thermal_integrator *integrator = self;
   struct um_thermal_system *system = integrator->system;

@@ -5,14 +5,6 @@
 
 #include "thermal/solver/integrator_data_impl.h"
 
-void um_thermal_integrator_words(int code, const char *module, const char *function, char *message,
-                                 void *self)
-{
-  struct um_thermal_integrator *integrator = self;
-  (void)code;
-  snprintf(integrator->words, sizeof integrator->words, "%s %s: %s", module, function, message);
-}
-
 /* ", worst at node 'x'" by the last step's error test, "" before one. */
 static const char *worst_place(struct um_thermal_integrator *integrator, char *text, size_t size)
 {
@@ -44,7 +36,7 @@ enum um_status um_thermal_integrator_fail(struct um_thermal_integrator *integrat
   if (code == CV_MEM_FAIL)
     return um_core_fail(context, UM_ERR_MEMORY, "out of memory in the heat integration");
   char fault[256], place[128];
-  const char *why = integrator->words[0] != '\0' ? integrator->words : "no message";
+  const char *why = integrator->words.text[0] != '\0' ? integrator->words.text : "no message";
   if (um_thermal_linear_fault(integrator->linear, fault, sizeof fault)[0] != '\0') why = fault;
   return um_core_fail(context, UM_ERR_NUMERIC,
                       "heat integration stopped %.3f s after its start%s (CVODES code %d%s): %s",

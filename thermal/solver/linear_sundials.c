@@ -44,7 +44,7 @@ static int set_up(SUNLinearSolver solver, SUNMatrix matrix)
 }
 
 static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
-                 realtype tolerance)
+                 sunrealtype tolerance)
 {
   (void)matrix, (void)tolerance; /* of a direct solver: 0 */
   const struct content *content = solver->content;

@@ -40,6 +40,7 @@
 #include "thermal/solver/linear_group.h"
 #include "thermal/solver/orbit_return_group.h"
 #include "thermal/solver/solve.h"
+#include "thermal/solver/sundials_impl.h"
 
 #define ORBITS_LIMIT   40
 #define ANDERSON_DEPTH 1
@@ -73,17 +74,9 @@ struct periodic {
   double *drift;                     /* [n] over an orbit from the last one's end [K] */
   double wanted;                     /* distance that is good enough [K] */
   size_t orbits;
-  enum um_status status; /* of the callback */
-  char words[256];       /* of KINSOL */
+  enum um_status status;         /* of the callback */
+  struct um_thermal_words words; /* of KINSOL */
 };
-
-static void words_keep(int code, const char *module, const char *function, char *message,
-                       void *self)
-{
-  struct periodic *periodic = self;
-  (void)code;
-  snprintf(periodic->words, sizeof periodic->words, "%s %s: %s", module, function, message);
-}
 
 static enum um_status memory_fail(struct periodic *periodic)
 {
@@ -289,7 +282,7 @@ static enum um_status storage_create(struct periodic *periodic)
   UM_TRY(um_core_allocate(context, system->n, sizeof(double), &periodic->means.power4));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->jacobian));
   UM_TRY(um_core_allocate(context, system->nnonzero, sizeof(double), &periodic->matrix));
-  if (SUNContext_Create(NULL, &periodic->sun) != 0) return memory_fail(periodic);
+  if (SUNContext_Create(SUN_COMM_NULL, &periodic->sun) != 0) return memory_fail(periodic);
   sunindextype n = (sunindextype)system->nunknown;
   N_Vector *const vectors[5] = {&periodic->y, &periodic->sum, &periodic->right, &periodic->part,
                                 &periodic->one};
@@ -349,7 +342,7 @@ static enum um_status not_converged(struct periodic *periodic, double tolerance,
       "no periodic state after %zu orbits: %.3g K away, %s drifts %.3g K per orbit; "
       "wanted %.3g K, integrated to %.2g K a step (KINSOL code %d%s%s)",
       periodic->orbits, periodic->distance, label, report.drift, tolerance, step, code,
-      periodic->words[0] != '\0' ? ": " : "", periodic->words);
+      periodic->words.text[0] != '\0' ? ": " : "", periodic->words.text);
 }
 
 /* Toward a fixed point within `wanted` [K], with integration tolerances times `tolerance_factor`,
@@ -395,7 +388,7 @@ static enum um_status kinsol_run(struct periodic *periodic, double tolerance)
   double *y = N_VGetArrayPointer(periodic->y);
   for (size_t k = 0; k < system->nunknown; k++) y[k] = periodic->start[system->node[k]];
   N_VConst(1.0, periodic->one);
-  int code = KINSetErrHandlerFn(kinsol, words_keep, periodic);
+  int code = um_thermal_words_of_kinsol(kinsol, periodic->sun, &periodic->words);
   if (code >= 0) code = KINSetMAA(kinsol, ANDERSON_DEPTH);
   if (code >= 0) code = KINInit(kinsol, orbit_callback, periodic->y);
   if (code >= 0) code = KINSetDelayAA(kinsol, ANDERSON_DELAY);

@@ -15,6 +15,7 @@
 #include "thermal/solver/linear_group.h"
 #include "thermal/solver/solve.h"
 #include "thermal/solver/steady_impl.h"
+#include "thermal/solver/sundials_impl.h"
 
 #define RESIDUAL     1e-9 /* [K] */
 #define ITERATIONS   400
@@ -32,16 +33,8 @@ struct steady {
   struct um_thermal_linear *linear;
   SUNLinearSolver solver;
   void *kinsol;
-  char words[256]; /* of KINSOL */
+  struct um_thermal_words words; /* of KINSOL */
 };
-
-static void words_keep(int code, const char *module, const char *function, char *message,
-                       void *self)
-{
-  struct steady *steady = self;
-  (void)code;
-  snprintf(steady->words, sizeof steady->words, "%s %s: %s", module, function, message);
-}
 
 static int heat_callback(N_Vector y, N_Vector heat, void *self)
 {
@@ -72,7 +65,7 @@ static enum um_status vectors_create(struct steady *steady)
 {
   const struct um_thermal_system *system = steady->system;
   sunindextype n = (sunindextype)system->nunknown;
-  if (SUNContext_Create(NULL, &steady->sun) != 0) goto memory;
+  if (SUNContext_Create(SUN_COMM_NULL, &steady->sun) != 0) goto memory;
   steady->y = N_VNew_Serial(n, steady->sun);
   steady->y_scale = N_VNew_Serial(n, steady->sun);
   steady->f_scale = N_VNew_Serial(n, steady->sun);
@@ -135,7 +128,7 @@ static enum um_status start_set(struct steady *steady)
 static int kinsol_set_up(struct steady *steady)
 {
   void *k = steady->kinsol;
-  int code = KINSetErrHandlerFn(k, words_keep, steady);
+  int code = um_thermal_words_of_kinsol(k, steady->sun, &steady->words);
   if (code >= 0) code = KINInit(k, heat_callback, steady->y);
   if (code >= 0) code = KINSetUserData(k, steady);
   if (code >= 0) code = KINSetLinearSolver(k, steady->solver, steady->matrix);
@@ -150,7 +143,7 @@ static int kinsol_set_up(struct steady *steady)
 static enum um_status fail(const struct steady *steady, int code, double residual)
 {
   char fault[256];
-  const char *why = steady->words[0] != '\0' ? steady->words : "no message";
+  const char *why = steady->words.text[0] != '\0' ? steady->words.text : "no message";
   if (um_thermal_linear_fault(steady->linear, fault, sizeof fault)[0] != '\0') why = fault;
   return um_core_fail(steady->system->context, UM_ERR_NUMERIC,
                       "no steady heat balance found (KINSOL code %d, residual %.3g K): %s", code,

@@ -6,7 +6,7 @@
 #include <nvector/nvector_serial.h>
 
 /* sqrt(sum (x w)^2 / n), summed in four strands: a fifth of the run went into waiting for one. */
-static realtype weighted_norm(N_Vector x, N_Vector w)
+static sunrealtype weighted_norm(N_Vector x, N_Vector w)
 {
   const double *a = N_VGetArrayPointer(x), *b = N_VGetArrayPointer(w);
   size_t n = (size_t)N_VGetLength(x), k = 0;
@@ -18,7 +18,7 @@ static realtype weighted_norm(N_Vector x, N_Vector w)
 }
 
 /* z = a x + b y; where both factors are one but for a sign it is drawn out, as in SUNDIALS. */
-static void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z)
+static void linear_sum(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z)
 {
   const double *p = N_VGetArrayPointer(x), *q = N_VGetArrayPointer(y);
   double *out = N_VGetArrayPointer(z);
@@ -35,7 +35,7 @@ static void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector 
   }
 }
 
-static void scale(realtype c, N_Vector x, N_Vector z)
+static void scale(sunrealtype c, N_Vector x, N_Vector z)
 {
   const double *p = N_VGetArrayPointer(x);
   double *out = N_VGetArrayPointer(z);

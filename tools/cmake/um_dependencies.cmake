@@ -5,11 +5,12 @@ find_package(OpenMP REQUIRED COMPONENTS C)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
 
-# MPI is optional: studies on many machines. Its shared memory is not known to ThreadSanitizer.
+# MPI is optional: studies on many machines. Its shared memory is not known to ThreadSanitizer. By
+# C++ no source calls it; SUNDIALS 7 of Debian asks for the target.
 if(UMBRA_MPI STREQUAL "ON")
-  find_package(MPI REQUIRED COMPONENTS C)
+  find_package(MPI REQUIRED COMPONENTS C CXX)
 elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN)
-  find_package(MPI QUIET COMPONENTS C)
+  find_package(MPI QUIET COMPONENTS C CXX)
 endif()
 
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)

@@ -5,6 +5,7 @@
 
 #include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
+#include "thermal/solver/sundials_impl.h"
 #include "thermal/solver/vector_impl.h"
 
 #define N 1003
@@ -26,7 +27,7 @@ static void as_sundials(void **state)
   const size_t nfactor = sizeof factor / sizeof factor[0];
   SUNContext sun;
   (void)state;
-  assert_int_equal(SUNContext_Create(NULL, &sun), 0);
+  assert_int_equal(SUNContext_Create(SUN_COMM_NULL, &sun), 0);
   N_Vector x = um_thermal_vector_create(N, sun), y = N_VClone(x), z = N_VClone(x), e = N_VClone(x);
   fill(x, 1);
   fill(y, 2);
