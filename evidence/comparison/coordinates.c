@@ -103,7 +103,7 @@ static enum um_status add_light(struct um_context *context, const struct um_mode
 static double spin_phase(const struct um_scenario *scenario, double t)
 {
   const struct um_scenario_attitude *laws = scenario->attitude.items;
-  struct um_scenario_turn turn;
+  struct um_scenario_turn turn = {.at = NAN};
   bool turns_now = false;
   for (size_t i = 0; i < scenario->attitude.count; i++)
     if (i == 0 || t >= laws[i].from) turns_now = um_scenario_turn(&laws[i], &turn);
