@@ -12,6 +12,9 @@ if(UMBRA_MPI STREQUAL "ON")
 elseif(UMBRA_MPI STREQUAL "AUTO" AND NOT UMBRA_TSAN)
   find_package(MPI QUIET COMPONENTS C CXX)
 endif()
+if(TARGET MPI::MPI_C) # said here, because SUNDIALS may bring the target where MPI is OFF
+  set(UMBRA_RANKS ON)
+endif()
 
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
