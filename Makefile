@@ -2,6 +2,7 @@
 # make test   build and run the tests
 # make lab    hidden effects, diagnosed blind: an hour and more; make lab LAB="--quick" seconds
 # make install [PREFIX=/usr/local] [DESTDIR=...]   program, library, materials, scenarios, headers, man pages, documents
+# make deb    Debian packages in out/deb;  make wheel   the Python package with all libraries in it, in out/wheel
 # make docs   all pages as a site, build/site/index.html, with a reference that the program prints
 # make mutate plant errors one at a time, each must be noticed; make mutate MUTATE="--only optics" some of them
 # make demo-study   what rules ENVISAT's light: emittance of its cells, heat inside, MLI; 1000 points
@@ -17,7 +18,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: all deps configure program build demo demo-study test install lab bench check fuzz tidy coverage tsan nightly mutate bricks docs clean
+.PHONY: all deps configure program build demo demo-study test install deb wheel lab bench check fuzz tidy coverage tsan nightly mutate bricks docs clean
 
 all: program
 
@@ -51,6 +52,14 @@ test:
 install: program
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
 	@echo "installed: $(DESTDIR)$(PREFIX)/bin/umbra"
+
+deb:
+	@tools/install-deps --deb
+	@tools/make-deb $(JOBS)
+
+wheel:
+	@tools/install-deps --wheel
+	@tools/make-wheel $(JOBS)
 
 docs: program
 	@tools/install-deps --docs

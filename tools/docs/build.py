@@ -20,7 +20,8 @@ import reference
 HOUSE = pathlib.Path(__file__).resolve().parents[2]
 # What has pages, or is linked by one.
 PARTS = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "LICENSE", "docs", "scenarios",
-         "examples", "effects/effect.h", "materials/library", "tests/fuzz/readers", "tests/reference", "python", "base/page/format.md"]
+         "examples", "effects/effect.h", "materials/library", "tests/fuzz/readers", "tests/reference", "python", "base/page/format.md",
+         "Containerfile", "debian/control"]
 KINDS = {".md", ".h", ".png", ".svg", ".c", ".py", ".sh", ".cff", ".yaml", ".csv", ".txt", ".toml", ".ipynb"}
 
 
