@@ -4,6 +4,9 @@
 
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
+
+extern char **environ;
 
 /* The first of these variables that is set, as a number; -1: none. */
 static long number_of(const char *const *name)
@@ -29,4 +32,13 @@ void um_batch_launch_told(long *rank, long *size)
   looked = true;
   *rank = r;
   *size = n;
+}
+
+void um_batch_launch_forget_stray(void)
+{
+  static const char address[] = "PMIX_SERVER_URI";
+  for (char **each = environ; *each != NULL; each++)
+    if (strncmp(*each, address, sizeof address - 1) == 0) return;
+  unsetenv("PMIX_NAMESPACE");
+  unsetenv("PMIX_RANK");
 }

@@ -5,5 +5,8 @@
 /* The number of this process and how many there are; -1: nothing is told. The environment is read
  * at the first call, which comes before MPI_Init: that writes there, too. Does not fail. */
 void um_batch_launch_told(long *rank, long *size);
+/* PMIx's place without the address of who leads is taken from the environment: OpenMPI 5 ends the
+ * process over it. Before MPI_Init, behind the call above. */
+void um_batch_launch_forget_stray(void);
 
 #endif

@@ -98,6 +98,7 @@ enum um_status um_batch_ranks_join(struct um_context *context, const struct um_b
   ranks->silence = task->work.silence > 0.0 ? task->work.silence : UM_WORKERS_SILENCE;
   ranks->looked = now();
   if (!joined) {
+    um_batch_launch_forget_stray();
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS) {
       um_core_free(context, ranks);
       return um_core_fail(context, UM_ERR_LIBRARY, "MPI does not start");
