@@ -11,7 +11,9 @@
 #include <string.h>
 #include <sys/mman.h>
 
-#define BUFFER ((size_t)160 << 20) /* OpenBLAS's buffer with room for what is beside it [byte] */
+#define BUFFER    ((size_t)160 << 20) /* OpenBLAS's buffer with room for what is beside it [byte] */
+#define LIBRARIES ((size_t)64 << 20)  /* CHOLMOD with its BLAS, which may take the buffer at once  \
+                                       */
 
 /* POSIX lets a pointer to data become one to a function; C does not. */
 static bool find(void *handle, const char *name, void *function)
@@ -21,6 +23,14 @@ static bool find(void *handle, const char *name, void *function)
   return address != NULL;
 }
 
+static bool is_there(size_t bytes)
+{
+  void *probe = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (probe == MAP_FAILED) return false;
+  munmap(probe, bytes);
+  return true;
+}
+
 /* Is there memory for the buffer? Then it is taken: by a product of one number, through the first
  * routine that CHOLMOD would call. */
 static bool make_buffer(void *handle)
@@ -28,9 +38,7 @@ static bool make_buffer(void *handle)
   void (*update)(const char *, const char *, const int *, const int *, const double *,
                  const double *, const int *, const double *, double *, const int *);
   if (dlsym(handle, "openblas_get_config") == NULL) return true;
-  void *probe = mmap(NULL, BUFFER, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (probe == MAP_FAILED) return false;
-  munmap(probe, BUFFER);
+  if (!is_there(BUFFER)) return false;
   const int one = 1;
   const double a = 1.0, zero = 0.0;
   double c = 0.0;
@@ -38,9 +46,16 @@ static bool make_buffer(void *handle)
   return true;
 }
 
+static enum um_status no_room(struct um_context *context)
+{
+  return um_core_fail(context, UM_ERR_MEMORY,
+                      "out of memory: the linear algebra of solids wants %zu MiB", BUFFER >> 20);
+}
+
 static enum um_status open_library(struct um_context *context, struct um_thermal_cholmod_library *l)
 {
   (void)setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  if (!is_there(BUFFER + LIBRARIES)) return no_room(context);
   void *handle = dlopen(UMBRA_CHOLMOD, RTLD_NOW | RTLD_LOCAL);
   if (handle == NULL)
     return um_core_fail(context, UM_ERR_LIBRARY, "CHOLMOD cannot be opened: %s", dlerror());
@@ -52,9 +67,7 @@ static enum um_status open_library(struct um_context *context, struct um_thermal
     dlclose(handle);
     return um_core_fail(context, UM_ERR_LIBRARY, UMBRA_CHOLMOD " is no CHOLMOD");
   }
-  if (make_buffer(handle)) return UM_OK;
-  return um_core_fail(context, UM_ERR_MEMORY,
-                      "out of memory: the linear algebra of solids wants %zu MiB", BUFFER >> 20);
+  return make_buffer(handle) ? UM_OK : no_room(context);
 }
 
 enum um_status um_thermal_cholmod_open(struct um_context *context,
