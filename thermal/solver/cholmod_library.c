@@ -12,8 +12,7 @@
 #include <sys/mman.h>
 
 #define BUFFER    ((size_t)160 << 20) /* OpenBLAS's buffer with room for what is beside it [byte] */
-#define LIBRARIES ((size_t)64 << 20)  /* CHOLMOD with its BLAS, which may take the buffer at once  \
-                                       */
+#define LIBRARIES ((size_t)64 << 20)  /* CHOLMOD and its BLAS, which may take the buffer at once */
 
 /* POSIX lets a pointer to data become one to a function; C does not. */
 static bool find(void *handle, const char *name, void *function)
