@@ -5,9 +5,11 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include "thermal/solver/linear_group.h"
+#include "thermal/solver/sundials_impl.h"
 
-#define AGAIN    1    /* a shorter step may help */
-#define FOR_GOOD (-1) /* nothing will */
+/* What a set-up answers: a shorter step may help, nothing will. */
+#define AGAIN    1
+#define FOR_GOOD (-1)
 
 struct content {
   struct um_thermal_linear *linear; /* borrowed */
@@ -32,15 +34,19 @@ static int initialize(SUNLinearSolver solver)
   return 0;
 }
 
-static int answer(enum um_status status)
-{
-  return status == UM_OK ? 0 : status == UM_ERR_NUMERIC ? AGAIN : FOR_GOOD;
-}
-
 static int set_up(SUNLinearSolver solver, SUNMatrix matrix)
 {
   const struct content *content = solver->content;
-  return answer(um_thermal_linear_factor(content->linear, SUNSparseMatrix_Data(matrix)));
+  enum um_status status = um_thermal_linear_factor(content->linear, SUNSparseMatrix_Data(matrix));
+  return status == UM_OK ? 0 : status == UM_ERR_NUMERIC ? AGAIN : FOR_GOOD;
+}
+
+/* A solution has codes of its own: CVODES and KINSOL take one that they do not list for a success.
+ */
+static int answer(enum um_status status)
+{
+  if (status == UM_OK) return 0;
+  return status == UM_ERR_NUMERIC ? SUNLS_PACKAGE_FAIL_REC : SUN_ERR_EXT_FAIL;
 }
 
 static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
