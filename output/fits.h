@@ -25,8 +25,8 @@ struct um_output_fits {
   char *header; /* cards of 80 characters without END */
   size_t ncard;
 };
-/* The first picture of a file, whole numbers of 8, 16 and 32 bits and floats of 32 and 64, with
- * BSCALE and BZERO; BLANK becomes NaN. Two axes (further ones of length 1), at most 8192 a side.
+/* The first picture of a file, of any number format, compressed by tiles or not, scaled; NaN where
+ * it is blank. Two axes (further ones of length 1), at most 8192 a side.
  * UM_ERR_IO, UM_ERR_INPUT naming the file and what is wrong, UM_ERR_MEMORY. The caller destroys. */
 enum um_status um_output_read_fits(struct um_context *context, const char *path,
                                    struct um_output_fits **out);

@@ -114,6 +114,42 @@ def look_at_frame(folder):
     assert np.cross(above, right) @ got > 0  # as one sees it who looks along `got`
 
 
+def write_fits(folder):
+    """As observers have them: a table of seconds since a date, and a frame that is compressed."""
+    rate = fits.Column("RATE", "E", array=[800, 790, np.nan, 805])
+    table = fits.BinTableHDU.from_columns([
+        fits.Column("TIME", "D", unit="s", array=[0, 10, 20, 30]), rate, fits.Column("SITE", "4A", array=["Graz"] * 4),
+        fits.Column("IMAGE", "3I", array=np.zeros((4, 3)))])
+    table.header.update(MJDREFI=57652, MJDREFF=0.85625, TIMESYS="UTC")
+    fits.HDUList([fits.PrimaryHDU(), table]).writeto(folder / "table.fits")
+    table.header["TIMESYS"] = "TDB"
+    fits.HDUList([fits.PrimaryHDU(), table]).writeto(folder / "barycentre.fits")
+    with fits.open(folder / "f.fits") as file:
+        packed = fits.CompImageHDU(file[0].data, file[0].header, compression_type="GZIP_2", quantize_level=0)
+        fits.HDUList([fits.PrimaryHDU(), packed]).writeto(folder / "packed.fits")
+    whole = (folder / "table.fits").read_bytes()
+    (folder / "cut.fits").write_bytes(whole[: len(whole) // 2880 * 2880 - 2880 + 40])
+
+
+def look_at_foreign_fits(umbra, folder):
+    def run(*arguments):
+        return subprocess.run([umbra, *arguments], cwd=folder, capture_output=True, text=True)
+
+    columns = ["--time", "TIME", "--counts", "RATE", "--of", "eye"]
+    assert run("import", "table.fits", *columns, "-o", "table.csv").returncode == 0
+    rows = rows_of(folder / "table.csv")
+    assert [r["time_utc"][11:19] for r in rows] == ["20:33:00", "20:33:10", "20:33:30"]
+    assert [float(r["value"]) for r in rows] == [800, 790, 805]
+    for name, says in (("barycentre.fits", "TIMESYS is not UTC"), ("cut.fits", "ends before its rows")):
+        failed = run("import", name, *columns, "-o", "no.csv")
+        assert failed.returncode == 1 and f"{name}: {says}" in failed.stderr, failed.stderr
+    for name in ("f", "packed"):
+        done = run("photometry", f"{name}.fits", "--aperture", "8,12,20", "-o", f"{name}.csv")
+        assert done.returncode == 0, done.stderr
+    a, b = ([r["value"] for r in rows_of(folder / f"{name}.csv")] for name in ("f", "packed"))
+    assert a == b and float(a[0]) > 0
+
+
 def main():
     umbra, box = (pathlib.Path(name).resolve() for name in sys.argv[1:])
     with tempfile.TemporaryDirectory() as name:
@@ -130,7 +166,9 @@ def main():
         look_at_grids(folder)
         look_at_picture(folder)
         look_at_frame(folder)
-    print("1 run, 4 readers: xarray, meshio, imageio, astropy")
+        write_fits(folder)
+        look_at_foreign_fits(umbra, folder)
+    print("1 run, 4 readers: xarray, meshio, imageio, astropy; 1 writer: astropy")
 
 
 if __name__ == "__main__":

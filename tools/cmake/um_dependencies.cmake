@@ -17,6 +17,7 @@ if(TARGET MPI::MPI_C) # said here, because SUNDIALS may bring the target where M
 endif()
 
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(CFITSIO REQUIRED IMPORTED_TARGET cfitsio)
 pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml)
 # the web server of umbra serve
