@@ -145,9 +145,10 @@ static const struct um_orbit_message_calls calls = {.begin = begin,
                                                     .row_is = "a time, 4 of a quaternion"};
 
 enum um_status um_orbit_aem_read(struct um_context *context, const char *name, char *text,
-                                 struct um_orbit_attitude_table *table)
+                                 int before, struct um_orbit_attitude_table *table)
 {
   struct reader r = {.table = table};
-  struct um_orbit_message m = {.context = context, .name = name, .calls = &calls, .self = &r};
+  struct um_orbit_message m = {
+      .context = context, .name = name, .calls = &calls, .self = &r, .line = -before};
   return um_orbit_message_read(&m, text);
 }

@@ -7,6 +7,7 @@
 #include "base/core/order.h"
 #include "orbit/attitude_table_impl.h"
 #include "orbit/message_impl.h"
+#include "orbit/stk_impl.h"
 #include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 
@@ -104,8 +105,21 @@ done:
 static enum um_status read_message(struct um_context *context, char *text, double max_gap,
                                    struct um_orbit_attitude_table *table)
 {
-  UM_TRY(um_orbit_aem_read(context, table->path, text, table));
+  UM_TRY(um_orbit_aem_read(context, table->path, text, 0, table));
   return gaps_check(context, NULL, table, max_gap);
+}
+
+static enum um_status read_stk(struct um_context *context, const char *text, double max_gap,
+                               struct um_orbit_attitude_table *table)
+{
+  char *message = NULL;
+  int before = 0;
+  UM_TRY(
+      um_orbit_stk_message(context, table->path, text, UM_ORBIT_STK_ATTITUDE, &message, &before));
+  enum um_status status = um_orbit_aem_read(context, table->path, message, before, table);
+  if (status == UM_OK) status = gaps_check(context, NULL, table, max_gap);
+  um_core_free(context, message);
+  return status;
 }
 
 enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
@@ -115,9 +129,14 @@ enum um_status um_orbit_attitude_table_read(struct um_context *context, const ch
   size_t length;
   UM_TRY(um_core_strdup(context, path, &table->path));
   UM_TRY(um_core_file_read(context, path, BYTES, &text, &length));
-  enum um_status status = um_orbit_message_is(text, "AEM") && strlen(text) == length
-                              ? read_message(context, text, max_gap, table)
-                              : read_columns(context, text, length, max_gap, table);
+  bool is_text = strlen(text) == length;
+  enum um_status status;
+  if (is_text && um_orbit_message_is(text, "AEM"))
+    status = read_message(context, text, max_gap, table);
+  else if (is_text && um_orbit_stk_is(text))
+    status = read_stk(context, text, max_gap, table);
+  else
+    status = read_columns(context, text, length, max_gap, table);
   um_core_free(context, text);
   return status;
 }

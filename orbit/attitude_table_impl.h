@@ -14,10 +14,10 @@ struct um_orbit_attitude_table {
 
 #define UM_ORBIT_ATTITUDE_NORM 1e-3 /* of |q| from 1, rounding of short columns */
 
-/* Rows of an attitude message into an empty table; the text is written into. UM_ERR_INPUT naming
- * `name`, line and what is accepted. */
+/* Rows of an attitude message into an empty table; the text is written into. before: its lines that
+ * the file has not. UM_ERR_INPUT naming `name`, line and what is accepted. */
 enum um_status um_orbit_aem_read(struct um_context *context, const char *name, char *text,
-                                 struct um_orbit_attitude_table *table);
+                                 int before, struct um_orbit_attitude_table *table);
 enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
                                             double max_gap, struct um_orbit_attitude_table *table);
 void um_orbit_attitude_table_clear(struct um_context *context,

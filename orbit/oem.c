@@ -95,9 +95,10 @@ static const struct um_orbit_message_calls calls = {
     .row_is = "a time, 3 of the place, 3 of the velocity"};
 
 enum um_status um_orbit_oem_read(struct um_context *context, const char *name, char *text,
-                                 struct um_orbit_table *table)
+                                 int before, struct um_orbit_table *table)
 {
   struct reader r = {.table = table};
-  struct um_orbit_message m = {.context = context, .name = name, .calls = &calls, .self = &r};
+  struct um_orbit_message m = {
+      .context = context, .name = name, .calls = &calls, .self = &r, .line = -before};
   return um_orbit_message_read(&m, text);
 }
