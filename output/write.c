@@ -3,6 +3,7 @@
 
 #include "model/build/scenario_text.h"
 #include "output/page.h"
+#include "output/plots_impl.h"
 
 typedef enum um_status (*writer)(const struct um_output_run *run, FILE *file);
 
@@ -74,6 +75,7 @@ enum um_status um_output_write_run(struct um_context *context, const struct um_o
   UM_TRY(write_scenario(context, run, folder));
   UM_TRY(write_netcdf(context, run, folder));
   if (pictures) UM_TRY(um_output_plot_run(context, um_core_folder_path(folder), run));
+  if (pictures) UM_TRY(write_text(context, folder, "plots.py", um_output_plots_py));
   UM_TRY(um_output_write_page(context, run, folder));
   return write_log(context, run, folder);
 }

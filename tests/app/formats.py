@@ -1,4 +1,4 @@
-"""Files for other programs, opened by other programs: xarray, meshio, imageio, astropy.
+"""Files for other programs, opened by other programs: xarray, meshio, imageio, astropy, matplotlib.
 
     formats.py UMBRA BOX.YAML
 """
@@ -163,12 +163,15 @@ def main():
                           ["render", "eye.yaml", "--time", WHEN, "--sensor", "eye", "--border", "40", "--no-plots", "-o", "f.fits"]):
             subprocess.run([umbra, *arguments], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         look_at_run(folder)
+        script = box.parents[3] / "output/plots.py"
+        subprocess.run([sys.executable, script, "svg", folder / "run"], check=True)
+        assert all((folder / f"run/{name}-matplotlib.svg").stat().st_size > 10000 for name in ("lightcurve", "temperatures"))
         look_at_grids(folder)
         look_at_picture(folder)
         look_at_frame(folder)
         write_fits(folder)
         look_at_foreign_fits(umbra, folder)
-    print("1 run, 4 readers: xarray, meshio, imageio, astropy; 1 writer: astropy")
+    print("1 run, 5 readers: xarray, meshio, imageio, astropy, matplotlib; 1 writer: astropy")
 
 
 if __name__ == "__main__":
