@@ -48,6 +48,14 @@
   "  - {name: wing, plate: {size_m: [1, 2]}, pose: {position_m: [1.2, 0, 0]}, front: grey_panel,"  \
   "\n     back: grey_white, " WALL "}\n"
 
+/* The same of records whose emittance goes with temperature, on triangles that are wide. */
+#define RECORDS                                                                                    \
+  "parts:\n  - {name: box, box: {size_m: [1, 1, 0.2]}, outside: osr, facet_size_m: 0.5,\n"         \
+  "     shell: {areal_heat_capacity_J_m2_K: 3000, conductance_W_K: 0.2},\n"                        \
+  "     interior: {capacity_J_K: 2e4, power_W: 300, conductance_W_K: 3}}\n"                        \
+  "  - {name: wing, plate: {size_m: [1, 2]}, pose: {position_m: [1.2, 0, 0]}, front: mli_kapton,"  \
+  "\n     back: white_paint, " WALL "}\n"
+
 static struct um_model *model_of(const char *text)
 {
   struct um_model *model;
@@ -155,7 +163,8 @@ static struct um_thermal_network *read_sinda(const char *path)
 static void test_same_balance(void **state)
 {
   (void)state;
-  static const char *const scenarios[] = {HEAD ORBIT LUMPS, HEAD ORBIT WALLS, HEAD FIXED WALLS};
+  static const char *const scenarios[] = {HEAD ORBIT LUMPS, HEAD ORBIT WALLS, HEAD FIXED WALLS,
+                                          HEAD ORBIT RECORDS};
   for (size_t i = 0; i < sizeof scenarios / sizeof *scenarios; i++) {
     double *balance;
     size_t n;

@@ -286,8 +286,9 @@ static enum um_status add_conductor(struct um_thermal_esatan *e, const statement
   }
   if (*at++ != ')' || *(at = skip(at)) != '=') return refuse(e, s, accepted);
   UM_TRY(um_thermal_esatan_evaluate(e, at + 1, s->line, &value));
-  if (!(value >= 0.0) || end[0] == end[1])
-    return refuse(e, s, "0 or more, between two nodes that differ");
+  /* finite elements have conductances below 0, too */
+  if ((!linear && !(value >= 0.0)) || end[0] == end[1])
+    return refuse(e, s, "two nodes that differ, and GR 0 or more");
   if (end[0]->kind == 'X' || end[1]->kind == 'X') return UM_OK;
   if (linear) return um_thermal_network_conductor_add(network, end[0]->index, end[1]->index, value);
   return um_thermal_network_radiator_add(network, end[0]->index, end[1]->index,

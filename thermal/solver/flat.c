@@ -78,42 +78,82 @@ static enum um_status links(const struct um_thermal_system *system, struct um_th
   return UM_OK;
 }
 
-static enum um_status couplings_check(const struct um_thermal_system *system)
+/* What runs over all couplings does with one. */
+struct coupling {
+  uint32_t i, j;
+  double area; /* [m^2] */
+};
+typedef enum um_status (*visit)(void *self, const struct coupling *coupling);
+
+/* Couplings of patch p with one pose of the parts, or of a room. */
+static enum um_status visit_row(const struct um_thermal_system_exchange *x, size_t pose, size_t p,
+                                double weight, visit call, void *self)
 {
-  const struct um_thermal_system_exchange *x = system->exchange;
-  double count = 0.0;
-  for (size_t p = 0; p < x->exchange->npatch; p++) {
-    struct um_thermal_exchange_row row = um_thermal_exchange_row(x->exchange, 0, p);
-    double here = (double)(x->patch_start[p + 1] - x->patch_start[p]);
-    for (size_t e = 0; e < row.n; e++)
-      count += here * (double)(x->patch_start[row.other[e] + 1] - x->patch_start[row.other[e]]);
-  }
-  if (count <= MOST_COUPLINGS) return UM_OK;
-  return um_core_fail(system->context, UM_ERR_INPUT,
-                      "%.3g couplings between nodes of surfaces; accepted: %d, as by lumped parts "
-                      "or larger facets",
-                      count, MOST_COUPLINGS);
+  struct um_thermal_exchange_row row = um_thermal_exchange_row(x->exchange, pose, p);
+  for (size_t e = 0; e < row.n; e++)
+    for (size_t a = x->patch_start[p]; a < x->patch_start[p + 1]; a++)
+      for (size_t b = x->patch_start[row.other[e]]; b < x->patch_start[row.other[e] + 1]; b++) {
+        const struct coupling c = {x->patch_node[a], x->patch_node[b],
+                                   weight * x->patch_share[a] * row.area[e] * x->patch_share[b]};
+        UM_TRY(call(self, &c));
+      }
+  return UM_OK;
 }
 
-/* Radiators between surfaces; what they take of space[n] [m^2]. */
+static enum um_status visit_all(const struct um_thermal_system_exchange *x, visit call, void *self)
+{
+  for (size_t p = 0; p < x->exchange->npatch; p++)
+    for (size_t m = 0; m < (p < x->exchange->noutside ? x->mix.n : 1); m++) {
+      bool room = p >= x->exchange->noutside;
+      UM_TRY(visit_row(x, room ? 0 : x->mix.pose[m], p, room ? 1.0 : x->mix.weight[m], call, self));
+    }
+  return UM_OK;
+}
+
+struct couplings {
+  const struct um_thermal_system *system;
+  struct um_thermal_network *flat;
+  double *space;    /* [n] what is left for it [m^2] */
+  double *received; /* [n] by the couplings [W] */
+  size_t count;
+};
+
+static enum um_status count_one(void *self, const struct coupling *c)
+{
+  struct couplings *all = self;
+  (void)c;
+  if (++all->count <= MOST_COUPLINGS) return UM_OK;
+  return um_core_fail(all->system->context, UM_ERR_INPUT,
+                      "more than %d couplings between nodes of surfaces; accepted: fewer, as by "
+                      "lumped parts or larger facets",
+                      MOST_COUPLINGS);
+}
+
+static enum um_status add_one(void *self, const struct coupling *c)
+{
+  struct couplings *all = self;
+  const struct um_thermal_system *system = all->system;
+  all->space[c->i] -= c->area;
+  all->received[c->i] += UM_STEFAN_BOLTZMANN * c->area * (system->power4[c->j] - system->space4);
+  return c->i < c->j ? um_thermal_network_radiator_add(all->flat, c->i, c->j, c->area) : UM_OK;
+}
+
+/* Radiators between surfaces. Where emittances go with temperature, a surface sends with its own
+ * and receives by that at the temperature of what arrives, which no one coupling says: what it
+ * receives more or less than by them is power. */
 static enum um_status couplings(const struct um_thermal_system *system, double *space,
                                 struct um_thermal_network *flat)
 {
-  const struct um_thermal_system_exchange *x = system->exchange;
-  if (x == NULL) return UM_OK;
-  UM_TRY(couplings_check(system));
-  for (size_t p = 0; p < x->exchange->npatch; p++) {
-    struct um_thermal_exchange_row row = um_thermal_exchange_row(x->exchange, 0, p);
-    for (size_t e = 0; e < row.n; e++)
-      for (size_t a = x->patch_start[p]; a < x->patch_start[p + 1]; a++)
-        for (size_t b = x->patch_start[row.other[e]]; b < x->patch_start[row.other[e] + 1]; b++) {
-          double area = x->patch_share[a] * row.area[e] * x->patch_share[b];
-          uint32_t i = x->patch_node[a], j = x->patch_node[b];
-          space[i] -= area;
-          if (i < j) UM_TRY(um_thermal_network_radiator_add(flat, i, j, area));
-        }
-  }
-  return UM_OK;
+  struct couplings all = {system, flat, space, NULL, 0};
+  if (system->exchange == NULL) return UM_OK;
+  UM_TRY(visit_all(system->exchange, count_one, &all));
+  UM_TRY(um_core_allocate(system->context, system->n, sizeof *all.received, &all.received));
+  enum um_status status = visit_all(system->exchange, add_one, &all);
+  for (uint32_t i = 0; i < system->n && status == UM_OK && system->space_slope != NULL; i++)
+    if (system->network->node[i].kind != UM_NODE_BOUNDARY)
+      um_thermal_network_power_add(flat, i, system->exchange->gain[i] - all.received[i]);
+  um_core_free(system->context, all.received);
+  return status;
 }
 
 static enum um_status to_space(const struct um_thermal_system *system, const double *space,
@@ -180,6 +220,10 @@ enum um_status um_thermal_flatten(struct um_context *context,
   memcpy(system->temperature, temperature, system->n * sizeof *temperature);
   um_thermal_system_powers(system);
   if (system->made != NULL) um_thermal_system_heat_make(system, 0.0);
+  if (system->exchange != NULL) {
+    um_thermal_system_exchange_at(system, 0.0);
+    (void)um_thermal_system_exchange_make(system);
+  }
   UM_CHECK(fill(system, space, flat));
   *out = flat;
   flat = NULL;

@@ -10,9 +10,8 @@
  * `network`: emission to space and between surfaces as radiators, what goes with temperature as it
  * is there, thermostats at their mean power. So both have the same steady state where `temperature`
  * is it; elsewhere where nothing goes with temperature. Moving parts stand as at the beginning. A
- * node begins at its temperature and is named as in messages where it has no name, "bus-12". The
- * one exception: emission between surfaces whose emittances go with temperature is that of the
- * exchange's last renewal. UM_ERR_INPUT: more than 20 million couplings between surfaces. The
+ * node begins at its temperature and is named as in messages where it has no name, "bus-12".
+ * UM_ERR_INPUT: more than 20 million couplings between surfaces. The
  * caller destroys. Test: output/network. */
 enum um_status um_thermal_flatten(struct um_context *context,
                                   const struct um_thermal_network *network, const double *power,
