@@ -15,7 +15,7 @@
 
 /* Options of the record that do not count: where results go is said anew, nothing is gone on with,
  * threads are those of this machine. */
-#define LEFT_OUT "out file target force resume share record threads"
+#define LEFT_OUT "out spectra file target force resume share record threads"
 
 struct work {
   struct um_context *context;
@@ -159,7 +159,8 @@ static enum um_status check_place(const struct work *w)
 /* Commands that write something, and do not as they are asked. */
 static bool only_prints(const struct um_app_verb *verb, const struct um_app_options *was)
 {
-  return was->times || was->study_check || (verb->run == um_app_check && !was->view);
+  return was->times || was->study_check || (verb->run == um_app_check && !was->view) ||
+         (verb->run == um_app_list && was->out == NULL);
 }
 
 /* UM_APP_MISUSE: said what is wrong. */
