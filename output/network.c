@@ -10,7 +10,7 @@ enum um_status um_output_write_network(struct um_context *context, const struct 
   enum um_status status;
   FILE *file = NULL;
   char *title = NULL;
-  UM_TRY(um_core_asprintf(context, &title, "%s: mean heat of an orbit, temperatures of its balance",
+  UM_TRY(um_core_asprintf(context, &title, "%s: powers and the temperatures of their balance",
                           model->scenario->name));
   struct um_thermal_network_note note = {title, model->scenario->thermal->space_temperature_K};
   UM_CHECK(um_core_folder_open(context, folder, "nodes.csv", &file));

@@ -8,6 +8,7 @@ import os
 import sys
 
 import matplotlib
+import matplotlib.dates
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -22,11 +23,13 @@ def read(path):
     return columns
 
 
-def finish(figure, axes, name, kind):
-    axes[-1].set_xlabel("UTC")
+def finish(figure, axes, time, name, kind):
+    for axis in axes:
+        axis.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1))
+    axes[-1].set_xlabel(f"UTC, from {time[0]:%Y-%m-%d}")
+    axes[-1].xaxis.set_major_formatter(matplotlib.dates.DateFormatter("%H:%M:%S"))
     figure.autofmt_xdate()
-    figure.tight_layout()
-    figure.savefig(f"{name}.{kind}")
+    figure.savefig(f"{name}.{kind}", bbox_inches="tight")
     plt.close(figure)
 
 
@@ -37,14 +40,15 @@ def light(kind):
     figure, axes = plt.subplots(len(bands), 1, sharex=True, squeeze=False, figsize=(9, 3.2 * len(bands)))
     for band, axis in zip(bands, axes[:, 0]):
         total, error = table[f"{band}_intensity_W_sr"], table[f"{band}_stderr_W_sr"]
-        axis.errorbar(table["time"], total, error, color="k", label="total", capsize=2)
+        axis.plot(table["time"], total, color="k", label="total")
+        axis.fill_between(table["time"], [t - e for t, e in zip(total, error)], [t + e for t, e in zip(total, error)],
+                          color="k", alpha=0.2, label="Monte-Carlo error (1 sigma)")
         for mechanism in ("sun", "earth", "emitted", "interreflected", "other"):
             part = table[f"{band}_{mechanism}_W_sr"]
             if max(part) > 0.01 * max(total):
                 axis.plot(table["time"], part, label=mechanism)
-        axis.set_ylabel(f"{band} [W/sr]")
-        axis.legend(fontsize="small")
-    finish(figure, axes[:, 0], "lightcurve-matplotlib", kind)
+        axis.set_ylabel(f"radiant intensity, {band} [W/sr]")
+    finish(figure, axes[:, 0], table["time"], "lightcurve-matplotlib", kind)
 
 
 def heat(kind):
@@ -60,8 +64,7 @@ def heat(kind):
         axis.fill_between(table["time"], table[f"{name}.min_K"], table[f"{name}.max_K"], alpha=0.15,
                           color=line.get_color())
     axis.set_ylabel("temperature [K]")
-    axis.legend(fontsize="small", ncols=2)
-    finish(figure, [axis], "temperatures-matplotlib", kind)
+    finish(figure, [axis], table["time"], "temperatures-matplotlib", kind)
 
 
 def main():

@@ -1,5 +1,5 @@
 /* Unstructured grids of VTK (XML, "File Formats for VTK Version 4.2"): arrays in base64, a length
- * of 32 bits before the bytes, little-endian. */
+ * of 32 bits before the bytes. */
 #include "output/vtu.h"
 
 #include <math.h>
@@ -78,9 +78,10 @@ static enum um_status put_grid(struct um_context *context, const struct grid *gr
   }
   fprintf(file,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-          "byte_order=\"LittleEndian\" header_type=\"UInt32\">\n<UnstructuredGrid>\n"
+          "byte_order=\"%s\" header_type=\"UInt32\">\n<UnstructuredGrid>\n"
           "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n<Points>\n",
-          grid->npoint, grid->ncell);
+          __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? "LittleEndian" : "BigEndian", grid->npoint,
+          grid->ncell);
   put_array(file, "Float64", "Points", 3, grid->point, 3 * grid->npoint * sizeof(double));
   fputs("</Points>\n<Cells>\n", file);
   put_array(file, "Int32", "connectivity", 1, grid->corner,

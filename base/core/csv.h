@@ -53,6 +53,9 @@ void um_core_csv_put(FILE *file, const char *text, const char *tail);
 void um_core_csv_put_text(FILE *file, const char *text, const char *tail);
 void um_core_csv_put_number(FILE *file, double value);
 void um_core_csv_put_exact(FILE *file, double value);
+/* A text as it stands, and behind it a number with as few digits as read back the same; nothing of
+ * what is not finite. */
+void um_core_csv_put_behind(FILE *file, const char *text, double value);
 
 /* The shortest text that is read back as the same finite number. Does not fail. */
 void um_core_number_text(double value, char out[32]);

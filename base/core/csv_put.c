@@ -53,9 +53,11 @@ void um_core_csv_put_number(FILE *file, double value)
     fprintf(file, ",%.9g", value == 0.0 ? 0.0 : value); /* no "-0" */
 }
 
-void um_core_csv_put_exact(FILE *file, double value)
+void um_core_csv_put_behind(FILE *file, const char *text, double value)
 {
-  char text[32] = "";
-  if (isfinite(value)) um_core_number_text(value, text);
-  fprintf(file, ",%s", text);
+  char number[32] = "";
+  if (isfinite(value)) um_core_number_text(value, number);
+  fprintf(file, "%s%s", text, number);
 }
+
+void um_core_csv_put_exact(FILE *file, double value) { um_core_csv_put_behind(file, ",", value); }

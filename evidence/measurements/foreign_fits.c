@@ -13,4 +13,4 @@ static enum um_status convert(struct um_context *context, const char *path, cons
   return UM_OK;
 }
 
-const struct um_compare_foreign_kind um_compare_foreign_fits = {"FITS", um_output_fits_is, convert};
+const struct um_compare_foreign_kind um_compare_foreign_fits = {um_output_fits_is, convert};

@@ -10,7 +10,6 @@
 #include "base/core/context.h"
 
 struct um_compare_foreign_kind {
-  const char *name; /* for messages */
   bool (*is)(const char *bytes, size_t length);
   /* Writes CSV with a header; its lines are those of the file where that has lines. UM_ERR_INPUT
    * with file and line. */

@@ -118,4 +118,4 @@ static bool is(const char *bytes, size_t length)
   return length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0;
 }
 
-const struct um_compare_foreign_kind um_compare_foreign_tdm = {"TDM", is, convert};
+const struct um_compare_foreign_kind um_compare_foreign_tdm = {is, convert};

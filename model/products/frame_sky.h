@@ -6,8 +6,8 @@
 
 /* A gnomonic projection (TAN of FITS, Calabretta & Greisen 2002) about the middle of the frame. */
 struct um_model_frame_sky {
-  double ra, dec;  /* of the satellite as the observer sees it, without aberration, refraction and
-                      the Moon: GCRS, light time taken off [deg] */
+  double ra, dec;  /* of the satellite as the observer sees it, in GCRS, corrected for light time,
+                      not for aberration and refraction [deg] */
   double cd[2][2]; /* of east and north, by pixels to the right and up [deg] */
 };
 

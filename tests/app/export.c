@@ -80,7 +80,8 @@ static void test_trajectory(void **state)
   table_release(&b);
 }
 
-/* Magnitudes go out and come in again as the same numbers, band by band a track of its own. */
+/* Magnitudes go out and come in again, band by band a track of its own; lightcurve.csv, which they
+ * are held against, has nine digits. */
 static void test_tracking_message(void **state)
 {
   (void)state;

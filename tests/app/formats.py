@@ -68,6 +68,18 @@ def look_at_grids(folder):
     assert len(mesh.points) == 8 and sum(len(cells.data) for cells in mesh.cells) in (6, 12)
 
 
+def look_at_solids(folder):
+    """Tetrahedra fill the box, warm where run.nc says so."""
+    grid = meshio.read(folder / "solid/solids-0001.vtu")
+    p = grid.points[grid.cells_dict["tetra"]]
+    volume = np.abs(np.einsum("ij,ij->i", p[:, 1] - p[:, 0], np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 0]))) / 6
+    assert math.isclose(volume.sum(), 1.0, rel_tol=1e-9)
+    assert 'file="solids-0001.vtu"' in (folder / "solid/solids.pvd").read_text()
+    with xr.open_dataset(folder / "solid-run/run.nc") as ds:
+        expected = ds.solid_vertex_temperature.isel(time=1).values
+    assert np.allclose(grid.point_data["temperature_K"], expected, rtol=1e-12)
+
+
 def look_at_picture(folder):
     """The satellite is in the middle of the picture, the sky about it is black."""
     picture = np.asarray(imageio.imread(folder / "a.exr"))
@@ -156,8 +168,13 @@ def main():
         folder = pathlib.Path(name)
         shutil.copy(box, folder)
         (folder / "eye.yaml").write_text(box.read_text() + EYE)
+        walls = "    shell: {areal_heat_capacity_J_m2_K: 3000}\n    lumped: true\n"
+        assert walls in box.read_text()
+        (folder / "solid.yaml").write_text(box.read_text().replace(walls, "    solid: aluminium_bare\n    facet_size_m: 0.6\n"))
         for arguments in (["run", "box.yaml", "--no-plots", "-o", "run"], ["export", "box.yaml", "--as", "vtu", "-o", "vtu"],
                           ["export", "box.yaml", "--as", "mesh", "-o", "box.obj"],
+                          ["run", "solid.yaml", "--no-plots", "-o", "solid-run"],
+                          ["export", "solid.yaml", "--as", "vtu", "-o", "solid"],
                           ["export", "box.yaml", "--as", "trajectory", "-o", "trajectory"],
                           ["render", "box.yaml", "--time", WHEN, "--band", "lwir", "--width", "32", "-o", "a.exr"],
                           ["render", "eye.yaml", "--time", WHEN, "--sensor", "eye", "--border", "40", "--no-plots", "-o", "f.fits"]):
@@ -167,6 +184,7 @@ def main():
         subprocess.run([sys.executable, script, "svg", folder / "run"], check=True)
         assert all((folder / f"run/{name}-matplotlib.svg").stat().st_size > 10000 for name in ("lightcurve", "temperatures"))
         look_at_grids(folder)
+        look_at_solids(folder)
         look_at_picture(folder)
         look_at_frame(folder)
         write_fits(folder)

@@ -48,7 +48,7 @@
   "  - {name: wing, plate: {size_m: [1, 2]}, pose: {position_m: [1.2, 0, 0]}, front: grey_panel,"  \
   "\n     back: grey_white, " WALL "}\n"
 
-/* The same of records whose emittance goes with temperature, on triangles that are wide. */
+/* The same with emittances that depend on temperature, on other triangles. */
 #define RECORDS                                                                                    \
   "parts:\n  - {name: box, box: {size_m: [1, 1, 0.2]}, outside: osr, facet_size_m: 0.5,\n"         \
   "     shell: {areal_heat_capacity_J_m2_K: 3000, conductance_W_K: 0.2},\n"                        \

@@ -6,20 +6,13 @@
 
 #define ZERO_CELSIUS 273.15 /* [K] */
 
-static void put(FILE *file, const char *before, double value)
-{
-  char text[32];
-  um_core_number_text(value, text);
-  fprintf(file, "%s%s", before, text);
-}
-
 static void write_node(const struct um_thermal_network_node *node, size_t number, FILE *file)
 {
   fprintf(file, "    %c%zu = '%s'", node->kind == UM_NODE_BOUNDARY ? 'B' : "DA"[node->kind], number,
           node -> name);
-  put(file, ", T = ", node->temperature - ZERO_CELSIUS);
-  if (node->kind == UM_NODE_DIFFUSIVE) put(file, ", C = ", node->capacity);
-  if (node->power != 0.0) put(file, ", QI = ", node->power);
+  um_core_csv_put_behind(file, ", T = ", node->temperature - ZERO_CELSIUS);
+  if (node->kind == UM_NODE_DIFFUSIVE) um_core_csv_put_behind(file, ", C = ", node->capacity);
+  if (node->power != 0.0) um_core_csv_put_behind(file, ", QI = ", node->power);
   fprintf(file, ";\n");
 }
 
@@ -29,7 +22,7 @@ static void write_links(const char *kind, const struct um_thermal_link *link, si
   for (size_t k = 0; k < n; k++) {
     size_t b = link[k].b == UM_THERMAL_SPACE ? space : link[k].b + (size_t)1;
     fprintf(file, "    %s(%zu, %zu)", kind, link[k].a + (size_t)1, b);
-    put(file, " = ", link[k].value);
+    um_core_csv_put_behind(file, " = ", link[k].value);
     fprintf(file, ";\n");
   }
 }
@@ -41,13 +34,13 @@ void um_thermal_network_write_esatan(const struct um_thermal_network *network,
   fprintf(file, "$MODEL UMBRA\n# %s\n#\n  $NODES\n", note->title);
   for (size_t i = 0; i < network->nnode; i++) write_node(&network->node[i], i + 1, file);
   fprintf(file, "    B%zu = 'space'", space);
-  put(file, ", T = ", note->space - ZERO_CELSIUS);
+  um_core_csv_put_behind(file, ", T = ", note->space - ZERO_CELSIUS);
   fprintf(file, ";\n#\n  $CONDUCTORS\n");
   write_links("GL", network->conductor, network->nconductor, space, file);
   write_links("GR", network->radiator, network->nradiator, space, file);
   fprintf(file, "#\n  $CONSTANTS\n    $CONTROL\n");
-  put(file, "      STEFAN = ", UM_STEFAN_BOLTZMANN);
-  put(file, ";\n      TABS = ", ZERO_CELSIUS);
+  um_core_csv_put_behind(file, "      STEFAN = ", UM_STEFAN_BOLTZMANN);
+  um_core_csv_put_behind(file, ";\n      TABS = ", ZERO_CELSIUS);
   fprintf(file, ";\n      RELXCA = 1.0E-8;\n      NLOOP = 1000;\n#\n  $EXECUTION\n"
                 "      CALL SOLVFM\n#\n  $OUTPUTS\n"
                 "      CALL PRNDTB(' ', 'L, T, QI, C', CURRENT)\n#\n$ENDMODEL UMBRA\n");

@@ -7,9 +7,9 @@
 
 /* A network of the same nodes without surfaces, laws, histories and thermostats, whose balance at
  * temperature[nnode] [K] under power[nnode] [W], as in um_thermal_solve_powered, is that of
- * `network`: emission to space and between surfaces as radiators, what goes with temperature as it
+ * `network`: emission to space and between surfaces as radiators, what depends on temperature as it
  * is there, thermostats at their mean power. So both have the same steady state where `temperature`
- * is it; elsewhere where nothing goes with temperature. Moving parts stand as at the beginning. A
+ * is it; elsewhere where nothing depends on temperature. Moving parts stand as at the beginning. A
  * node begins at its temperature and is named as in messages where it has no name, "bus-12".
  * UM_ERR_INPUT: more than 20 million couplings between surfaces. The
  * caller destroys. Test: output/network. */
