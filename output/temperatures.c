@@ -1,4 +1,4 @@
-/* temperatures.csv, heat.csv and temperatures.cic. */
+/* temperatures.csv and heat.csv. */
 #include <string.h>
 
 #include "output/csv_impl.h"
@@ -70,35 +70,5 @@ enum um_status um_output_write_heat(const struct um_output_run *run, FILE *file)
         um_core_csv_put_number(file, value[i]);
       fputc('\n', file);
     }
-  return UM_OK;
-}
-
-enum um_status um_output_write_cic(const struct um_output_run *run, FILE *file)
-{
-  const struct um_model_result *r = run->result;
-  char start[32], stop[32];
-  um_orbit_time_format(run->tables->t_obs[0], start);
-  um_orbit_time_format(run->tables->t_obs[r->nobs - 1], stop);
-  fprintf(file, "CIC_MEM_VERS = 1.0\nORIGINATOR = UMBRA %s\n\nMETA_START\n\n", run->version);
-  fprintf(file, "OBJECT_NAME = %s\nUSER_DEFINED_PROTOCOL = CIC\n", run->model->scenario->name);
-  fputs("USER_DEFINED_CONTENT = MATERIAL_TEMPERATURES\n", file);
-  size_t n = 0;
-  for (size_t p = 0; p < r->nplace; p++)
-    if (strncmp(r->place[p].name, "material:", 9) == 0) {
-      n++;
-      fprintf(file, "COMMENT column %zu: mean temperature of %s\n", n, r->place[p].name + 9);
-    }
-  fprintf(file, "USER_DEFINED_SIZE = %zu\nUSER_DEFINED_TYPE = REAL\nUSER_DEFINED_UNIT = [K]\n", n);
-  fprintf(file, "TIME_SYSTEM = UTC\nCOMMENT from %s to %s\n\nMETA_STOP\n\n", start, stop);
-  for (size_t k = 0; k < r->nobs; k++) {
-    UM_TRY(um_output_stop(run));
-    double days, seconds;
-    um_orbit_time_utc_clock(run->tables->t_obs[k], &days, &seconds);
-    fprintf(file, "%.0f %.3f", days, seconds);
-    for (size_t p = 0; p < r->nplace; p++)
-      if (strncmp(r->place[p].name, "material:", 9) == 0)
-        fprintf(file, " %.4f", r->place[p].mean[k]);
-    fputc('\n', file);
-  }
   return UM_OK;
 }

@@ -116,15 +116,26 @@ static enum um_status value_column(struct importer *r, struct um_compare_columns
                       n == 0 ? "which column is the value?" : "more than one kind of value;");
 }
 
-/* "_C", "(K)", "[W/m2]" at the end of a column's name. */
+/* Does `text` of a length end in `tail`, of which the length is taken off? */
+static bool take_end(const char *text, size_t *length, const char *tail)
+{
+  size_t n = strlen(tail);
+  if (*length < n || strncmp(text + *length - n, tail, n) != 0) return false;
+  *length -= n;
+  return true;
+}
+
+/* "_C", "(K)", "[degC]", "[W/m2]" at the end of a column's name. */
 const char *um_compare_import_unit(const char *column, enum um_compare_quantity quantity)
 {
   size_t n = strlen(column), end = n;
   while (end > 0 && strchr(")] ", column[end - 1]) != NULL) end--;
   for (size_t i = 0; i < UNITS; i++) {
-    size_t k = strlen(units[i].name);
-    if (end > k && strncmp(column + end - k, units[i].name, k) == 0 &&
-        strchr("_([ ", column[end - k - 1]) != NULL &&
+    size_t before = end;
+    if (!take_end(column, &before, units[i].name)) continue;
+    if (units[i].quantity == UM_QUANTITY_TEMPERATURE && !take_end(column, &before, "deg"))
+      (void)take_end(column, &before, "\xC2\xB0"); /* the sign of a degree */
+    if (before > 0 && strchr("_([ ", column[before - 1]) != NULL &&
         (units[i].quantity == quantity || (quantity == UM_QUANTITY_BAND_IRRADIANCE &&
                                            units[i].quantity == UM_QUANTITY_RADIANT_INTENSITY)))
       return units[i].name;

@@ -76,6 +76,8 @@ def commands():
     yield ["export", *BOX, "--as", "trajectory", "-o", "trajectory"]
     yield ["export", *BOX, "--as", "exchange", "-o", "exchange"]
     yield ["export", *BOX, "--as", "network", "-o", "network"]
+    yield ["export", *BOX, "--as", "temperatures", "-o", "temperatures"]
+    yield ["export", *BOX, "--set", "observer.air.profile=us_standard", "--as", "sky", "-o", "sky"]
     yield ["export", *BOX, "--as", "vtu", "-o", "vtu"]
     yield ["export", *BOX, "--as", "tdm", "-o", "box.tdm"]
     yield ["forecast", *BOX, "--days", "0.6", "--times"]

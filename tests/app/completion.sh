@@ -54,7 +54,7 @@ expect "hidden-effect/dawn|hidden-effect/dusk|" umbra list --json scenarios hid
 expect "effects|filters|keys|materials|scenarios|sensors|" umbra list ""
 expect "mli_kapton|mli_kapton_ito|" umbra list materials mli_k
 expect "orbit.circular.altitude_km|" umbra list keys orbit.circular.alt
-expect "exchange|facets|mesh|network|tdm|trajectory|vtu|" umbra export x --as ""
+expect "exchange|facets|mesh|network|sky|tdm|temperatures|trajectory|vtu|" umbra export x --as ""
 expect "bash|zsh|" umbra completion ""
 expect "a b/|out/|scenarios/|" umbra run ""
 expect "scenarios/one.yaml|" umbra run scenarios/

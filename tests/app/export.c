@@ -137,7 +137,7 @@ static void test_refusals(void **state)
   static const struct failure failures[] = {
       {{"export", "box.yaml", "--as", "meshes", "-o", "x"},
        "--as meshes: unknown; did you mean 'mesh'?; accepted: exchange, facets, mesh, network, "
-       "tdm, trajectory, vtu"},
+       "sky, tdm, temperatures, trajectory, vtu"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "there.obj"},
        "there.obj: exists; accepted: a new name, or --force"},
       {{"export", "box.yaml", "--as", "mesh", "-o", "x.stl"},

@@ -1,4 +1,4 @@
-"""Files for other programs, opened by other programs: xarray, meshio, imageio, astropy, matplotlib.
+"""Files for other programs, opened by other programs: xarray, meshio, VTK, imageio, astropy, numpy, matplotlib.
 
     formats.py UMBRA BOX.YAML
 """
@@ -18,6 +18,8 @@ import xarray as xr
 from astropy.io import fits
 from astropy.time import Time
 from astropy.wcs import WCS
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 EYE = """
 sensors:
@@ -78,6 +80,54 @@ def look_at_solids(folder):
     with xr.open_dataset(folder / "solid-run/run.nc") as ds:
         expected = ds.solid_vertex_temperature.isel(time=1).values
     assert np.allclose(grid.point_data["temperature_K"], expected, rtol=1e-12)
+
+
+def look_at_grids_by_vtk(folder):
+    """VTK's own reader, as ParaView has it, finds what meshio finds."""
+    for name in ("vtu/satellite-0002", "solid/solids-0001"):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(folder / f"{name}.vtu"))
+        reader.Update()
+        grid, other = reader.GetOutput(), meshio.read(folder / f"{name}.vtu")
+        assert grid.GetNumberOfCells() == sum(len(cells.data) for cells in other.cells) > 0
+        assert (vtk_to_numpy(grid.GetPoints().GetData()) == other.points).all()
+        for data, expected in ((grid.GetCellData(), {k: v[0] for k, v in other.cell_data.items()}),
+                               (grid.GetPointData(), other.point_data)):
+            assert data.GetNumberOfArrays() == len(expected)
+            for key, values in expected.items():
+                assert np.array_equal(vtk_to_numpy(data.GetArray(key)), values, equal_nan=values.dtype.kind == "f")
+
+
+def look_at_material_temperatures(umbra, folder):
+    """Profiles for STK, and the message of CNES read again: both to their last digit."""
+    expected = [float(row["material:grey_white.mean_K"]) for row in rows_of(folder / "run/temperatures.csv")]
+    profile = np.loadtxt(folder / "t/grey_white.tsf")
+    assert (profile[:, 0] == 60.0 * np.arange(len(expected))).all() and np.allclose(profile[:, 1], expected, atol=6e-5, rtol=0)
+    subprocess.run([umbra, "import", "t/temperatures.cic", "--time", "time_utc", "--temperature", "MATERIAL_TEMPERATURES (K)",
+                    "--of", "material:grey_white", "-o", "t.csv"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    again, first = rows_of(folder / "t.csv"), rows_of(folder / "run/temperatures.csv")
+    assert [row["time_utc"] for row in again] == [row["time_utc"] for row in first]
+    assert np.allclose([float(row["value"]) for row in again], expected, atol=6e-5, rtol=0)
+    message = (folder / "t/temperatures.cic").read_text()
+    assert all(f"\n{key} = " in message for key in ("CREATION_DATE", "OBJECT_ID", "USER_DEFINED_SIZE"))
+
+
+def look_at_sky(folder):
+    """Electrons of sky in an exposure are those of sky.csv: photons of h c / lambda, throughput 0.1, 4 bins of 0.1 um.
+    The circle has as many pixels at every instant, so only ratios are known from outside."""
+    light = {}
+    for row in rows_of(folder / "sky/sky.csv"):
+        if row["band"] == "vis":
+            light.setdefault(row["time_utc"], []).append((float(row["wavelength_um"]), float(row["radiance_W_m2_sr_um"])))
+    pixel = 0.25 * math.pi * 0.5**2 * (0.7 * ARCSEC) ** 2 * 0.1 * 0.5  # area, solid angle, throughput, exposure
+    hc = 6.62607015e-34 * 299792458.0
+    ratio = []
+    for row in rows_of(folder / "twilight/counts.csv"):
+        if row["eye_background_e"]:
+            electrons = pixel * sum(0.1 * radiance * wavelength * 1e-6 / hc for wavelength, radiance in light[row["time_utc"]])
+            ratio.append(float(row["eye_background_e"]) / electrons)
+    assert len(ratio) == len(light) >= 3 and max(ratio) / min(ratio) < 1 + 1e-7, ratio
+    assert 20 < ratio[0] < 40  # pixels of the circle, 2 arcsec wide in pixels of 0.7
 
 
 def look_at_picture(folder):
@@ -168,11 +218,16 @@ def main():
         folder = pathlib.Path(name)
         shutil.copy(box, folder)
         (folder / "eye.yaml").write_text(box.read_text() + EYE)
+        air = ["--set", "observer.air.profile=mid_latitude_summer"]
+        (folder / "twilight.yaml").write_text(box.read_text() + EYE.replace(" dark_e_s: 8, read_noise_e: 3, sky_mag_arcsec2: 19", ""))
         walls = "    shell: {areal_heat_capacity_J_m2_K: 3000}\n    lumped: true\n"
         assert walls in box.read_text()
         (folder / "solid.yaml").write_text(box.read_text().replace(walls, "    solid: aluminium_bare\n    facet_size_m: 0.6\n"))
         for arguments in (["run", "box.yaml", "--no-plots", "-o", "run"], ["export", "box.yaml", "--as", "vtu", "-o", "vtu"],
                           ["export", "box.yaml", "--as", "mesh", "-o", "box.obj"],
+                          ["export", "box.yaml", "--as", "temperatures", "-o", "t"],
+                          ["export", "box.yaml", *air, "--as", "sky", "-o", "sky"],
+                          ["run", "twilight.yaml", *air, "--no-plots", "-o", "twilight"],
                           ["run", "solid.yaml", "--no-plots", "-o", "solid-run"],
                           ["export", "solid.yaml", "--as", "vtu", "-o", "solid"],
                           ["export", "box.yaml", "--as", "trajectory", "-o", "trajectory"],
@@ -185,11 +240,14 @@ def main():
         assert all((folder / f"run/{name}-matplotlib.svg").stat().st_size > 10000 for name in ("lightcurve", "temperatures"))
         look_at_grids(folder)
         look_at_solids(folder)
+        look_at_grids_by_vtk(folder)
+        look_at_material_temperatures(umbra, folder)
+        look_at_sky(folder)
         look_at_picture(folder)
         look_at_frame(folder)
         write_fits(folder)
         look_at_foreign_fits(umbra, folder)
-    print("1 run, 5 readers: xarray, meshio, imageio, astropy, matplotlib; 1 writer: astropy")
+    print("1 run, 7 readers: xarray, meshio, vtk, numpy, imageio, astropy, matplotlib; 1 writer: astropy")
 
 
 if __name__ == "__main__":

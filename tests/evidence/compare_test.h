@@ -13,29 +13,17 @@
 #include "base/core/context.h"
 #include "base/core/sampling.h"
 #include "tests/support/cmocka_all.h"
-#include "tests/support/temporary.h"
+#include "tests/support/in_folder.h"
 
-static struct um_context *context;
-
-static inline int compare_set_up(void **state)
-{
-  char folder[UM_TEST_PATH];
-  (void)state;
-  if (um_test_folder_create(folder) != 0 || chdir(folder) != 0) return -1;
-  return um_core_context_create(NULL, &context) == UM_OK ? 0 : -1;
-}
+#define compare_set_up folder_enter
 
 /* The folder goes with what the tests left in it, which is plain files of known names. */
 static inline int compare_tear_down(void **state)
 {
-  char folder[4096];
-  (void)state;
-  um_core_context_destroy(&context);
   remove("m.csv");
   remove("w.csv");
   remove("t.txt");
-  if (getcwd(folder, sizeof folder) == NULL || chdir("/") != 0) return -1;
-  return um_test_folder_remove(folder);
+  return folder_leave(state);
 }
 
 static inline void put(const char *path, const char *text)

@@ -13,8 +13,7 @@
 #include "model/geometry/precompute.h"
 #include "model/run/balance.h"
 #include "tests/support/cmocka_all.h"
-#include "tests/support/temporary.h"
-#include "tests/support/with_context.h"
+#include "tests/support/in_folder.h"
 #include "thermal/solver/solve.h"
 
 #define SAME 1e-6 /* [K] */
@@ -187,23 +186,8 @@ static void test_same_balance(void **state)
   }
 }
 
-static int enter(void **state)
-{
-  static char folder[UM_TEST_PATH];
-  if (um_test_folder_create(folder) != 0 || chdir(folder) != 0) return -1;
-  return context_set_up(state);
-}
-
-static int leave(void **state)
-{
-  char folder[4096];
-  context_tear_down(state);
-  if (getcwd(folder, sizeof folder) == NULL || chdir("/") != 0) return -1;
-  return um_test_folder_remove(folder);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_same_balance)};
-  return cmocka_run_group_tests(tests, enter, leave);
+  return cmocka_run_group_tests(tests, folder_enter, folder_leave);
 }

@@ -9,8 +9,7 @@
 #include "model/geometry/precompute.h"
 #include "output/trajectory.h"
 #include "tests/support/cmocka_all.h"
-#include "tests/support/temporary.h"
-#include "tests/support/with_context.h"
+#include "tests/support/in_folder.h"
 
 #define TABLES  "orbit: {table: t/orbit.csv}\nattitude: [{table: t/attitude.csv}]\n"
 #define MESSAGE "orbit: {table: t/orbit.oem}\nattitude: [{table: t/attitude.aem}]\n"
@@ -139,24 +138,9 @@ static void test_refusal(void **state)
   um_model_destroy(context, &a);
 }
 
-static int enter(void **state)
-{
-  static char folder[UM_TEST_PATH];
-  if (um_test_folder_create(folder) != 0 || chdir(folder) != 0) return -1;
-  return context_set_up(state);
-}
-
-static int leave(void **state)
-{
-  char folder[4096];
-  context_tear_down(state);
-  if (getcwd(folder, sizeof folder) == NULL || chdir("/") != 0) return -1;
-  return um_test_folder_remove(folder);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_flies_alike),
                                      cmocka_unit_test(test_refusal)};
-  return cmocka_run_group_tests(tests, enter, leave);
+  return cmocka_run_group_tests(tests, folder_enter, folder_leave);
 }

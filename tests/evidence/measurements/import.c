@@ -374,6 +374,65 @@ static void test_tracking_message(void **state)
   }
 }
 
+/* Data messages of CNES: a value a row in two segments, then three, one of them a text. The keys
+ * that may lack are left out of the first, as CNES's own script for such files does. */
+static void test_data_message(void **state)
+{
+  (void)state;
+#define MEM "CIC_MEM_VERS = 1.0\nCREATION_DATE  = 2016-09-22T08:00:00\nORIGINATOR     = X\n\n"
+#define OF(content, scale)                                                                         \
+  "META_START\n\nOBJECT_NAME = SAT\nOBJECT_ID = SAT\n\nUSER_DEFINED_PROTOCOL = CIC\n"              \
+  "USER_DEFINED_CONTENT = " content "\nTIME_SYSTEM = " scale "\n\nMETA_STOP\n\n"
+#define ROWS "57652 73980.000000 12.5\n57652 73990.5 -3\r\n"
+  struct um_compare_columns columns = {
+      .time = "time_utc", .temperature = "PANEL", .of = "panel", .unit = "C"};
+  struct um_compare_imported found;
+  struct um_compare_measurements *m =
+      import(MEM OF("PANEL", "UTC") ROWS OF("PANEL", "UTC") "57653 0.0 1\n", &columns, &found);
+  assert_int_equal(m->count, 3);
+  assert_close(m->row[0].value, 285.65, 1e-12);
+  assert_close(m->row[1].t_tai - m->row[0].t_tai, 10.5, 1e-6);
+  assert_close(m->row[2].t_tai - m->row[0].t_tai, 86400.0 - 73980.0, 1e-6);
+  um_compare_measurements_destroy(context, &m);
+  static const char three[] =
+      MEM "META_START\nUSER_DEFINED_CONTENT = T\nUSER_DEFINED_SIZE = 3\n"
+          "USER_DEFINED_UNIT = [degC]\nTIME_SYSTEM = TAI\nCOMMENT x\nMETA_STOP\n"
+          "57652 74016.0 20 \"a b\" 21\n";
+  columns = (struct um_compare_columns){.time = "time_utc",
+                                        .temperature = "T_1 (degC)=bus,T_3 (degC)=panel"};
+  struct um_compare_measurements *again = import(three, &columns, &found);
+  assert_int_equal(again->count, 2);
+  assert_close(again->row[1].value, 294.15, 1e-12);
+  um_compare_measurements_destroy(context, &again);
+  static const struct {
+    const char *text, *says;
+  } faults[] = {
+      {MEM OF("PANEL", "UTC"), "t.txt:15: no rows behind META_STOP: the file may be cut short"},
+      {MEM OF("PANEL", "TDB"), "t.txt:12: 'TDB'; accepted: UTC, TAI, TT, GPS"},
+      {MEM OF("PANEL", "UTC") ROWS OF("BUS", "UTC") ROWS,
+       "t.txt:24: USER_DEFINED_CONTENT: 'PANEL' in one segment, 'BUS' in another; accepted: files "
+       "of one quantity"},
+      {MEM OF("PANEL", "UTC") "57652 73980 1\n57652 73990 1 2\n",
+       "t.txt:17: 2 values; accepted: 1, as USER_DEFINED_SIZE or the first row has"},
+      {MEM OF("PANEL", "UTC") "2016-09-21T20:33:00 1\n",
+       "t.txt:16: '2016-09-21T20:33:00'; accepted: a modified Julian day and seconds of it, 57652 "
+       "73862.0"},
+      {MEM "57652 73980 1\n", "t.txt:5: '57652 73980 1'; accepted: META_START before rows"},
+      {MEM "META_START\nUSER_DEFINED_SIZE = 0\n",
+       "t.txt:6: '0'; accepted: values of a row, 1 to 256, the same in each segment"},
+      {MEM "META_START\nMETA_STOP\n",
+       "t.txt:6: 'META_STOP'; accepted: USER_DEFINED_CONTENT and TIME_SYSTEM before it"},
+  };
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+    put("t.txt", faults[i].text);
+    assert_refused(um_compare_import(context, "t.txt", &columns, &found, &m), UM_ERR_INPUT,
+                   faults[i].says);
+  }
+#undef MEM
+#undef OF
+#undef ROWS
+}
+
 /* The command that is proposed, by names and first rows; and that measurement readers propose it.
  */
 static void test_suggestions(void **state)
@@ -394,6 +453,10 @@ static void test_suggestions(void **state)
       {"jd counts\n2457653.3 800\n", "--time jd --counts counts --of SENSOR"},
       {"t,mV,Panel A (C),T_B_K,note\n1474489980,4500,8,281,x\n",
        "--time t --temperature 'Panel A (C)=PLACE,T_B_K=PLACE'"},
+      {"t,A [degC],B \xC2\xB0"
+       "C,degC\n1474489980,8,9,1\n",
+       "--time t --temperature 'A [degC]=PLACE,B \xC2\xB0"
+       "C=PLACE'"},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char *command, expected[300];
@@ -418,9 +481,9 @@ static void test_suggestions(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_forms),      cmocka_unit_test(test_kinds),
-      cmocka_unit_test(test_map),        cmocka_unit_test(test_refusals),
-      cmocka_unit_test(test_sensors),    cmocka_unit_test(test_tracking_message),
-      cmocka_unit_test(test_suggestions)};
+      cmocka_unit_test(test_forms),        cmocka_unit_test(test_kinds),
+      cmocka_unit_test(test_map),          cmocka_unit_test(test_refusals),
+      cmocka_unit_test(test_sensors),      cmocka_unit_test(test_tracking_message),
+      cmocka_unit_test(test_data_message), cmocka_unit_test(test_suggestions)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }
