@@ -433,6 +433,56 @@ static void test_data_message(void **state)
 #undef ROWS
 }
 
+/* Observations of visual observers, in a letter: of five lines three have a magnitude, one its
+ * uncertainty; what the format's description has as examples ("+070" 7.0, "10" 1.0). */
+static void test_visual_observers(void **state)
+{
+  (void)state;
+#define OBJECT "27386 02 009A   2007 G "
+#define ANGLES " 56 25 1122334+112233 28 "
+  static const char text[] =
+      "Clear and calm.\n" OBJECT "20160921203300500" ANGLES "R+053 05\n" OBJECT
+      "201609212033105  " ANGLES "S+06\r\n" OBJECT "20160921203320000" ANGLES "S\n"
+      "                2007 C 20160922\n" OBJECT "201609212034     " ANGLES "B-005    12350\n";
+  struct um_compare_columns columns = {
+      .time = "time_utc", .magnitude = "MAG", .band = "V", .system = "vega"};
+  struct um_compare_imported found;
+  struct um_compare_measurements *m = import(text, &columns, &found);
+  assert_int_equal(m->count, 3);
+  static const double magnitude[] = {5.3, 6.0, -0.5}, after[] = {0.0, 10.0, 59.5};
+  for (size_t i = 0; i < 3; i++) {
+    assert_close(m->row[i].value, magnitude[i], 1e-12);
+    assert_close(m->row[i].t_tai - m->row[0].t_tai, after[i], 1e-3);
+  }
+  um_compare_measurements_destroy(context, &m);
+  static const struct {
+    const char *text, *says;
+  } faults[] = {
+      {OBJECT "20160921203320000" ANGLES "S\n",
+       "t.txt: no line has a magnitude; accepted: lines of the IOD format with a sign in column 67 "
+       "and MMm behind it"},
+      {OBJECT "20160921203320000" ANGLES "S+0\n",
+       "t.txt:1: '0'; accepted: a magnitude MMm in columns 68 to 70, '070' for 7.0"},
+      {OBJECT "20160921203320000" ANGLES "S+070 x\n",
+       "t.txt:1: 'x'; accepted: an uncertainty Mm in columns 72 and 73"},
+      {OBJECT "20160932203320000" ANGLES "S+070\n",
+       "t.txt:1: '2016-09-32T20:33:20.000'; accepted: a UTC time like 2016-09-21T20:33:00Z (that "
+       "month does not have this day)"},
+      {OBJECT "2016092120       " ANGLES "S+070\n",
+       "t.txt:1: '20'; accepted: HHMMSSsss in columns 32 to 40, HHMM at least"},
+      {OBJECT "20160921203320000" ANGLES "S+070\n"
+              "27387 02 009A   2007 G 20160921203320000" ANGLES "S+070\n",
+       "t.txt:2: object '27387' after '27386'; accepted: observations of one object"},
+  };
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+    put("t.txt", faults[i].text);
+    assert_refused(um_compare_import(context, "t.txt", &columns, &found, &m), UM_ERR_INPUT,
+                   faults[i].says);
+  }
+#undef OBJECT
+#undef ANGLES
+}
+
 /* The command that is proposed, by names and first rows; and that measurement readers propose it.
  */
 static void test_suggestions(void **state)
@@ -484,6 +534,7 @@ int main(void)
       cmocka_unit_test(test_forms),        cmocka_unit_test(test_kinds),
       cmocka_unit_test(test_map),          cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_sensors),      cmocka_unit_test(test_tracking_message),
-      cmocka_unit_test(test_data_message), cmocka_unit_test(test_suggestions)};
+      cmocka_unit_test(test_data_message), cmocka_unit_test(test_visual_observers),
+      cmocka_unit_test(test_suggestions)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }
