@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/bodies_impl.h"
 #include "output/netcdf_impl.h"
 #include "output/netcdf_text.h"
-#include "output/solids_impl.h"
 
 #define FIRST_SIZE 65536 /* of the image in memory, which grows [bytes] */
 #define AXES_MAX   4

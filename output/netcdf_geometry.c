@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "output/bodies_impl.h"
 #include "output/netcdf_impl.h"
 
 /* Surface of one side of a facet, UM_GEOMETRY_NONE where that side does not radiate. */
@@ -80,21 +81,10 @@ enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w)
 {
   enum um_status status;
   const struct um_geometry_mesh *mesh = um_geometry_mesh(w->run->model->geometry);
-  size_t njoint = um_geometry_joint_count(w->run->model->geometry);
-  struct um_geometry_pose *pose = NULL;
-  double *angles = NULL, *xyz = NULL;
+  double *xyz = NULL;
   const enum um_output_dimension vx[2] = {UM_NC_VERTEX, UM_NC_XYZ}, f = UM_NC_FACET;
-  const struct um_environment_sample *first = &w->run->tables->sample[w->run->tables->nsub / 2];
-  UM_CHECK(um_core_allocate(w->context, njoint, sizeof *angles, &angles));
-  um_geometry_joint_angles(w->run->model->geometry, um_quat_apply(first->q, first->sun),
-                           first->t_tai, angles);
-  UM_CHECK(um_geometry_pose_create(w->context, w->run->model->geometry, angles, &pose));
   UM_CHECK(um_core_allocate(w->context, 3 * mesh->nvertex, sizeof *xyz, &xyz));
-  for (size_t i = 0; i < mesh->nvertex; i++) {
-    xyz[3 * i] = pose->vertex[i].x;
-    xyz[3 * i + 1] = pose->vertex[i].y;
-    xyz[3 * i + 2] = pose->vertex[i].z;
-  }
+  UM_CHECK(um_output_vertices(w->context, w->run, 0, xyz));
   UM_CHECK(um_output_netcdf_double(w, "vertex_position", vx, 2, "m",
                                    "body frame, at the first observation", xyz));
   UM_CHECK(put_corners(w));
@@ -102,7 +92,6 @@ enum um_status um_output_netcdf_geometry(const struct um_output_netcdf *w)
   UM_CHECK(put_parts(w));
   UM_CHECK(put_sides(w));
 done:
-  UM_FREE(w->context, angles, xyz);
-  um_geometry_pose_destroy(w->context, &pose);
+  um_core_free(w->context, xyz);
   return status;
 }

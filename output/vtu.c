@@ -7,8 +7,7 @@
 #include <string.h>
 
 #include "base/core/csv.h"
-#include "output/solids_impl.h"
-#include "thermal/network/tetgen.h"
+#include "output/bodies_impl.h"
 
 #define TRIANGLE    5 /* cell types of VTK */
 #define TETRAHEDRON 10
@@ -131,34 +130,11 @@ static void put_sides(const struct um_output_run *run, size_t k, struct outside 
   put_array(file, "Int32", "group", 1, o->number, n * sizeof *o->number);
 }
 
-static enum um_status put_pose(struct um_context *context, const struct um_output_run *run,
-                               size_t k, double *point)
-{
-  enum um_status status;
-  const struct um_geometry *geometry = run->model->geometry;
-  const struct um_environment_sample *at =
-      &run->tables->sample[k * run->tables->nsub + run->tables->nsub / 2];
-  struct um_geometry_pose *pose = NULL;
-  double *angles = NULL;
-  UM_CHECK(um_core_allocate(context, um_geometry_joint_count(geometry), sizeof *angles, &angles));
-  um_geometry_joint_angles(geometry, um_quat_apply(at->q, at->sun), at->t_tai, angles);
-  UM_CHECK(um_geometry_pose_create(context, geometry, angles, &pose));
-  for (size_t i = 0; i < um_geometry_mesh(geometry)->nvertex; i++) {
-    point[3 * i] = pose->vertex[i].x;
-    point[3 * i + 1] = pose->vertex[i].y;
-    point[3 * i + 2] = pose->vertex[i].z;
-  }
-done:
-  um_core_free(context, angles);
-  um_geometry_pose_destroy(context, &pose);
-  return status;
-}
-
 static enum um_status write_outside(struct um_context *context, const struct um_output_run *run,
                                     size_t k, struct outside *o, FILE *file)
 {
   const struct um_geometry_mesh *mesh = um_geometry_mesh(run->model->geometry);
-  UM_TRY(put_pose(context, run, k, o->point));
+  UM_TRY(um_output_vertices(context, run, k, o->point));
   const struct grid grid = {o->point, o->corner, mesh->nvertex, mesh->nfacet, 3, TRIANGLE};
   UM_TRY(put_grid(context, &grid, file));
   fputs("<CellData>\n", file);
@@ -171,26 +147,10 @@ static enum um_status write_outside(struct um_context *context, const struct um_
 /* --- the inside of solids -------------------------------------------------------------------- */
 
 struct inside {
-  int *corner;       /* [4 ntetrahedron] */
-  double *point, *t; /* [3 nvertex], [nvertex] */
+  int *corner, *node; /* [4 ntetrahedron], [nvertex] */
+  double *point, *t;  /* [3 nvertex], [nvertex] */
   size_t npoint;
 };
-
-static void fill_inside(const struct um_thermal_body *body, struct inside *in)
-{
-  size_t n = 0, c = 0, first = 0;
-  for (size_t i = 0; i < body->nsolid; i++) {
-    const struct um_thermal_tetrahedra *mesh = body->solid[i].mesh;
-    for (size_t v = 0; v < mesh->nvertex; v++, n++) {
-      in->point[3 * n] = mesh->vertex[v].x;
-      in->point[3 * n + 1] = mesh->vertex[v].y;
-      in->point[3 * n + 2] = mesh->vertex[v].z;
-    }
-    for (size_t e = 0; e < mesh->ntetrahedron; e++)
-      for (int k = 0; k < 4; k++) in->corner[c++] = (int)(first + mesh->corner[e][k]);
-    first += mesh->nvertex;
-  }
-}
 
 static enum um_status write_inside(struct um_context *context, const struct um_output_run *run,
                                    size_t k, struct inside *in, FILE *file)
@@ -198,10 +158,8 @@ static enum um_status write_inside(struct um_context *context, const struct um_o
   const struct um_thermal_body *body = run->model->body;
   const struct um_model_result *r = run->result;
   const struct grid grid = {in->point, in->corner, in->npoint, body->ntetrahedron, 4, TETRAHEDRON};
-  size_t n = 0;
-  for (size_t i = 0; i < body->nsolid; i++)
-    for (size_t v = 0; v < body->solid[i].mesh->nvertex; v++)
-      in->t[n++] = r->node_temperature[k * r->nnode + body->solid[i].node[v]];
+  for (size_t v = 0; v < in->npoint; v++)
+    in->t[v] = r->node_temperature[k * r->nnode + (size_t)in->node[v]];
   UM_TRY(put_grid(context, &grid, file));
   fputs("<PointData>\n", file);
   put_array(file, "Float64", "temperature_K", 1, in->t, in->npoint * sizeof *in->t);
@@ -296,13 +254,14 @@ enum um_status um_output_write_vtu(struct um_context *context, const struct um_o
   UM_CHECK(um_core_allocate(context, 4 * body->ntetrahedron, sizeof *in.corner, &in.corner));
   UM_CHECK(um_core_allocate(context, 3 * in.npoint, sizeof *in.point, &in.point));
   UM_CHECK(um_core_allocate(context, in.npoint, sizeof *in.t, &in.t));
+  UM_CHECK(um_core_allocate(context, in.npoint, sizeof *in.node, &in.node));
   for (size_t i = 0; i < 3 * mesh->nfacet; i++) o.corner[i] = (int)mesh->corner[i / 3][i % 3];
-  fill_inside(body, &in);
+  um_output_solids(body, in.point, in.node, in.corner);
   UM_CHECK(write_names(context, run, folder));
   UM_CHECK(write_collection(context, run, "satellite", folder));
   if (in.npoint > 0) UM_CHECK(write_collection(context, run, "solids", folder));
   UM_CHECK(write_observations(context, run, &o, &in, folder));
 done:
-  UM_FREE(context, o.corner, o.number, o.point, o.t, in.corner, in.point, in.t);
+  UM_FREE(context, o.corner, o.number, o.point, o.t, in.corner, in.point, in.t, in.node);
   return status;
 }

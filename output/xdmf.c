@@ -1,8 +1,8 @@
 /* run.xdmf: opens run.nc in ParaView: the mesh with the temperatures of both sides over time, NaN
  * where a side does not radiate; where there are solids, their tetrahedra with the temperatures
  * inside. */
+#include "output/bodies_impl.h"
 #include "output/output.h"
-#include "output/solids_impl.h"
 
 static void begin(const struct um_output_run *run, const char *grid, size_t k, FILE *file)
 {
