@@ -13,12 +13,13 @@
 #include "base/core/file.h"
 #include "base/core/text.h"
 #include "model/build/build.h"
+#include "orbit/elements.h"
 #include "orbit/time.h"
 
 #define TEMPLATE       "cubesat-3u"
 #define TEMPLATE_BYTES ((size_t)1 << 20)
 #define FILE_BYTES     ((size_t)1 << 30) /* of a mesh; the elements are read to 1 MiB */
-#define ELEMENTS       "elements.tle"
+#define ELEMENTS_NAME  24                /* bytes of the name of elements */
 
 /* What was made, for the last words. */
 struct made {
@@ -97,28 +98,37 @@ done:
   return status;
 }
 
-/* The elements beside the scenario; *epoch [t_tai, s]. */
+/* "elements" with the ending of the user's file. */
+static void name_elements(const char *path, char name[ELEMENTS_NAME])
+{
+  const char *dot = strrchr(plain_name(path), '.');
+  bool plain = dot != NULL && strlen(dot) < 8 && um_core_name_is_safe(dot + 1);
+  snprintf(name, ELEMENTS_NAME, "elements%s", plain ? dot : ".tle");
+}
+
+/* The elements beside the scenario; *epoch [t_tai, s] of the last set. */
 static enum um_status put_elements(struct um_context *context, struct um_core_folder *folder,
                                    const char *path, char **text, double *epoch)
 {
-  struct um_orbit_tle tle;
-  char *bytes = NULL;
+  enum um_status status;
+  struct um_orbit_elements elements = {0};
+  char *bytes = NULL, *value = NULL, name[ELEMENTS_NAME];
   size_t n;
-  UM_TRY(um_core_file_read(context, path, TEMPLATE_BYTES, &bytes, &n));
-  enum um_status status = um_orbit_tle_parse(context, bytes, 1, &tle);
-  if (status != UM_OK) {
-    um_core_message_prefix(context, "%s", path);
-  } else {
-    *epoch = tle.epoch_tai;
-    status = put_file(context, folder, ELEMENTS, bytes, n);
-  }
-  um_core_free(context, bytes);
-  UM_TRY(status);
-  return um_app_new_put(context, text, "orbit",
-                        "# Where it flies: two-line elements in the file beside this one, by SGP4. "
-                        "They are good for some days about\n# their epoch; newer ones: "
-                        "celestrak.org.\n",
-                        "orbit:\n  tle_file: " ELEMENTS "\n");
+  UM_CHECK(um_core_file_read(context, path, TEMPLATE_BYTES, &bytes, &n));
+  UM_CHECK(um_orbit_elements_parse(context, path, bytes, n, 0, &elements));
+  *epoch = elements.set[elements.count - 1].epoch_tai;
+  name_elements(path, name);
+  UM_CHECK(put_file(context, folder, name, bytes, n));
+  UM_CHECK(um_core_asprintf(context, &value, "orbit:\n  elements: %s\n", name));
+  UM_CHECK(um_app_new_put(context, text, "orbit",
+                          "# Where it flies: elements in the file beside this one, by SGP4. They "
+                          "are good for some days about\n# their epoch; newer ones: "
+                          "celestrak.org.\n",
+                          value));
+done:
+  UM_FREE(context, bytes, value);
+  um_orbit_elements_release(context, &elements);
+  return status;
 }
 
 static enum um_status put_station(struct um_context *context, const char *said, char **text)

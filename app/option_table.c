@@ -72,8 +72,9 @@ static const struct um_app_option table[] = {
      .help = "Take the parts from the groups of this mesh, which is copied into the folder."},
     {"tle", "tle", "FILE", .takes = UM_APP_TEXT, AT(tle), .offers = UM_APP_FILES,
      .default_value = "a circle at 500 km", .example = "--tle satellite.tle",
-     .help = "Two-line elements of the orbit, copied into the folder; a pass in the three days "
-             "behind their epoch is taken."},
+     .help =
+         "Elements of the orbit, two lines or a message (OMM), copied into the folder; a pass in "
+         "the three days behind their epoch is taken."},
     {"one-station", "station", "NAME,LAT,LON,HEIGHT", .takes = UM_APP_TEXT, AT(one_station),
      .default_value = "Graz", .example = "--station Graz,47.067,15.493,495",
      .help = "Where the telescope stands: degrees north and east, metres."},

@@ -102,7 +102,7 @@ static void test_elements(void **state)
             "edge of the shadow");
   command_release(&c);
   char *text = command_read("a/envisat/scenario.yaml");
-  expect_in(text, "\n  tle_file: elements.tle\n");
+  expect_in(text, "\n  elements: elements.tle\n");
   expect_in(text, "station: {name: \"Zimmerwald, CH\", latitude_deg: 46.877,");
   expect_in(text, "\nname: \"envisat\"\n");
   free(text);
@@ -110,6 +110,26 @@ static void test_elements(void **state)
   assert_int_equal(c.code, 0);
   expect_in(c.out, "\"rise_utc\": \"2016-09-06T19:48:29.");
   command_release(&c);
+}
+
+/* The same elements as a message of a catalogue, to its digits: the pass begins in that second. */
+static void test_message(void **state)
+{
+  (void)state;
+  command_write("envisat.json",
+                "[{\"OBJECT_NAME\": \"ENVISAT\", \"NORAD_CAT_ID\": 127386, \"EPOCH\": "
+                "\"2016-09-06T18:00:10.965024\", \"MEAN_MOTION\": 14.3787479, \"ECCENTRICITY\": "
+                "0.0001254, \"INCLINATION\": 98.2753, \"RA_OF_ASC_NODE\": 301.2152, "
+                "\"ARG_OF_PERICENTER\": 82.1013, \"MEAN_ANOMALY\": 278.0311, \"BSTAR\": "
+                "1.9645e-05}]\n");
+  struct command c = command_run("new", "omm", "--tle", "envisat.json", "--station",
+                                 "Zimmerwald,46.877,7.465,951", NULL);
+  assert_int_equal(c.code, 0);
+  expect_in(c.out, "its pass begins at 2016-09-06T19:48:2");
+  command_release(&c);
+  char *text = command_read("omm/scenario.yaml");
+  expect_in(text, "\n  elements: elements.json\n");
+  free(text);
 }
 
 static void test_refusals(void **state)
@@ -147,6 +167,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_template, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_mesh, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_elements, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_message, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refusals, command_enter, command_leave)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
