@@ -6,7 +6,6 @@
 
 #include "base/core/text.h"
 #include "geometry/foreign_mesh_impl.h"
-#include "geometry/step_tas_impl.h"
 
 #define LOOK 4096 /* bytes in which a word is looked for */
 

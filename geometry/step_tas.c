@@ -73,7 +73,7 @@ enum um_status um_geometry_tas_fail(const struct um_geometry_tas *t, um_geometry
 
 enum um_status um_geometry_tas_put(struct um_geometry_tas *t, const char *format, ...)
 {
-  char line[600];
+  char line[1024];
   va_list arguments;
   va_start(arguments, format);
   size_t n = (size_t)vsnprintf(line, sizeof line, format, arguments);
@@ -104,15 +104,24 @@ static enum um_status make_unique(struct um_geometry_tas *t, char name[256])
   return UM_OK;
 }
 
-/* Lines "g" and "usemtl" of a surface in `parent`. Where the file has more surfaces than a part may
- * have groups, a group is PARENT.MATERIAL. */
+static enum um_status read_material(const struct um_geometry_tas *t, um_geometry_tas_item surface,
+                                    int side, char out[256])
+{
+  um_geometry_tas_item optical;
+  out[0] = '\0';
+  UM_TRY(um_geometry_tas_item_at(t, surface, OPTICAL + side, "a material", true, &optical));
+  if (optical != NULL) read_text(t, optical, NAME, out);
+  return UM_OK;
+}
+
+/* Lines "g", "usemtl" and, as OBJ has no word for it, "usemtl_back" of a surface in `parent`. Where
+ * the file has more surfaces than a part may have groups, a group is PARENT.MATERIAL. */
 static enum um_status put_names(struct um_geometry_tas *t, um_geometry_tas_item surface,
                                 um_geometry_tas_item parent, bool turned)
 {
-  char name[256], material[256] = "", group[256];
-  um_geometry_tas_item optical;
-  UM_TRY(um_geometry_tas_item_at(t, surface, OPTICAL + turned, "a material", true, &optical));
-  if (optical != NULL) read_text(t, optical, NAME, material);
+  char name[256], material[256], back[256], group[256];
+  UM_TRY(read_material(t, surface, turned, material));
+  UM_TRY(read_material(t, surface, !turned, back));
   read_text(t, t->nsurface > UM_GEOMETRY_MAX_GROUPS ? parent : surface, NAME, name);
   if (name[0] == '\0') snprintf(name, sizeof name, "surface");
   if (t->nsurface > UM_GEOMETRY_MAX_GROUPS) {
@@ -122,9 +131,7 @@ static enum um_status put_names(struct um_geometry_tas *t, um_geometry_tas_item 
     memcpy(group, name, sizeof group);
     UM_TRY(make_unique(t, group));
   }
-  UM_TRY(um_geometry_tas_put(t, "g %s\n", group));
-  return material[0] != '\0' ? um_geometry_tas_put(t, "usemtl %s\n", material)
-                             : um_geometry_tas_put(t, "usemtl\n");
+  return um_geometry_tas_put(t, "g %s\nusemtl %s\nusemtl_back %s\n", group, material, back);
 }
 
 static enum um_status put_surface(struct um_geometry_tas *t, um_geometry_tas_item surface,

@@ -1,4 +1,4 @@
-/* Geometry of STEP-TAS as Wavefront OBJ. Private to geometry/. */
+/* What the files that read STEP-TAS share. Private to geometry/. */
 #ifndef UMBRA_GEOMETRY_STEP_TAS_IMPL_H
 #define UMBRA_GEOMETRY_STEP_TAS_IMPL_H
 
@@ -35,16 +35,7 @@ struct um_geometry_tas_frame {
   struct um_vec3 move; /* [m] */
 };
 
-/* step_tas.c: is it STEP with tas_arm for its schema? By the header alone. */
-bool um_geometry_step_tas_is(const char *bytes, size_t length);
-/* Surfaces of the file as OBJ in metres: *obj text of *n bytes, the caller frees. A group is a
- * surface, its material that of its front. UM_ERR_INPUT with file and line; UM_ERR_MEMORY,
- * UM_ERR_CANCELLED. A warning: surfaces without an active side, which are left out.
- * Source: ESA STEP-TAS 6.0, tas_arm; what attribute is what: as pycanha's reader takes it. */
-enum um_status um_geometry_step_tas_read(struct um_context *context, const char *path,
-                                         const char *bytes, size_t length, char **obj, size_t *n);
-
-/* UM_ERR_INPUT: "file:line: #id NAME 'its own name': text". */
+/* step_tas.c. UM_ERR_INPUT: "file:line: #id NAME 'its own name': text". */
 enum um_status um_geometry_tas_fail(const struct um_geometry_tas *t, um_geometry_tas_item of,
                                     const char *format, ...) UM_PRINTF(3, 4);
 /* printf at the end of the OBJ. */

@@ -45,9 +45,10 @@
   VALUE("30", "0.", "14")                                                                          \
   VALUE("31", "270.", "14")                                                                        \
   VALUE("32", "360.0", "14")                                                                       \
-  VALUE("33", "0.1", "11") VALUE("34", "200.", "12") VALUE("35", "0.", "11")                       \
-      VALUE("36", "-0.1", "11") VALUE("37", "0.2", "11") VALUE("38", "-0.2", "11")                 \
-          VALUE("39", "0.78539816339744828", "15")
+  VALUE("33", "0.1", "11")                                                                         \
+  VALUE("34", "200.", "12")                                                                        \
+  VALUE("35", "0.", "11") VALUE("36", "-0.1", "11") VALUE("37", "0.2", "11")                       \
+      VALUE("38", "-0.2", "11") VALUE("39", "0.78539816339744828", "15")
 #define ONE(shape, side, mesh)                                                                     \
   HEAD FRAME MODEL("#40") SURFACE("40", "one", "$", "#41", side, "#6", "#7", mesh) "#41=" shape    \
                                                                                    ";\n" TAIL
@@ -289,7 +290,9 @@ static void names(void **state)
   assert_string_equal(look.group[1].name, "panel_2");
   assert_string_equal(look.group[1].usemtl, "white_paint");
   assert_string_equal(look.group[2].name, "lid _ 'one'");
+  assert_string_equal(look.group[0].usemtl_back, "white_paint"); /* it is turned over */
   assert_null(look.group[2].usemtl);
+  assert_null(look.group[2].usemtl_back);
   assert_non_null(strstr(um_core_log_text(context), "'gone': surfaces without an active side are "
                                                     "left out, 1 of them"));
   um_geometry_obj_look_clear(context, &look);
