@@ -309,7 +309,11 @@ enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char 
   struct reader r = {
       .context = patch->context, .patch = patch, .path = path, .scale = wish->scale, .wish = wish};
   UM_CHECK(um_core_file_read(r.context, path, MAX_FILE_BYTES, &text, &length));
-  UM_CHECK(um_geometry_foreign_read(r.context, path, text, length, &made, &nmade));
+  /* of a file of several parts, warnings come once: with the part that takes all, or a look */
+  if (wish->ngroup > 0) um_core_quiet_begin(r.context);
+  status = um_geometry_foreign_read(r.context, path, text, length, &made, &nmade);
+  if (wish->ngroup > 0) um_core_quiet_end(r.context);
+  UM_CHECK(status);
   if (made != NULL) { /* lines are those of the OBJ that it became */
     um_core_free(r.context, text);
     text = made;

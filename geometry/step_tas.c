@@ -167,7 +167,7 @@ static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item i
                                const struct um_geometry_tas_frame *outer, int depth)
 {
   struct um_geometry_tas_frame frame;
-  uint32_t next, end;
+  uint32_t next = 0, end = 0;
   uint8_t *seen = &t->seen[item - t->file.instance];
   if (*seen & PLACED)
     return um_geometry_tas_fail(t, item, "stands in two items; expected: each in one");
@@ -217,7 +217,7 @@ static enum um_status mark_inside(struct um_geometry_tas *t)
 static enum um_status put_models(struct um_geometry_tas *t)
 {
   static const struct um_geometry_tas_frame here = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}};
-  uint32_t next, end;
+  uint32_t next = 0, end = 0;
   bool any = false;
   for (size_t i = 0; i < t->file.ninstance; i++) {
     um_geometry_tas_item model = &t->file.instance[i], item;

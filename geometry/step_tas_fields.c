@@ -107,7 +107,7 @@ static enum um_status read_unit(const struct um_geometry_tas *t, um_geometry_tas
   UM_TRY(um_geometry_tas_item_at(t, of, index, "a quantity type", false, &of));
   UM_TRY(um_geometry_tas_item_at(t, of, 7, "a unit", false, &unit));
   for (int depth = 0; depth < DEEPEST_UNIT; depth++) {
-    double number;
+    double number = 0.0;
     if (um_geometry_part21_is(unit->name, "NRF_EXTENDED_SI_UNIT")) {
       if (!read_prefix(um_geometry_tas_attribute(t, unit, 3), &number) ||
           !is_text(um_geometry_tas_attribute(t, unit, 4), si))
@@ -132,7 +132,7 @@ static enum um_status read_literal(const struct um_geometry_tas *t, um_geometry_
                                    int index, const char *si, double *out)
 {
   um_geometry_tas_item literal;
-  uint32_t next, end;
+  uint32_t next = 0, end = 0;
   double factor;
   UM_TRY(um_geometry_tas_item_at(t, of, index, "a quantity", false, &literal));
   if (!um_geometry_part21_is(literal->name, "NRF_REAL_QUANTITY_VALUE_LITERAL"))
@@ -216,7 +216,7 @@ static enum um_status read_axes(const struct um_geometry_tas *t, um_geometry_tas
 static enum um_status read_step(const struct um_geometry_tas *t, um_geometry_tas_item of,
                                 struct um_geometry_tas_frame *out)
 {
-  double factor, angle;
+  double factor = 1.0, angle = 0.0;
   struct um_vec3 axis;
   *out = (struct um_geometry_tas_frame){{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}};
   if (um_geometry_part21_is(of->name, "MGM_AXIS_PLACEMENT")) return read_axes(t, of, out);
@@ -252,7 +252,7 @@ enum um_status um_geometry_tas_place(const struct um_geometry_tas *t, um_geometr
 {
   um_geometry_tas_item place, item;
   struct um_geometry_tas_frame step, all;
-  uint32_t next, end;
+  uint32_t next = 0, end = 0;
   *out = *outer;
   UM_TRY(um_geometry_tas_item_at(t, of, index, "a place", true, &place));
   if (place == NULL) return UM_OK;

@@ -171,9 +171,10 @@ static enum um_status make_lines(const struct um_geometry_tas *t, um_geometry_ta
   for (size_t i = 0; i < ncell; i++) all += pieces(s, way == 1, cut[i], cut[i + 1]);
   UM_CHECK(um_core_allocate(t->context, (size_t)all + 1, sizeof *out->at, &out->at));
   for (size_t i = 0; i < ncell; i++) {
-    double n = pieces(s, way == 1, cut[i], cut[i + 1]);
-    for (double k = 0.0; k < n; k++)
-      out->at[out->n++] = k == 0.0 ? cut[i] : line_between(s, way == 1, cut[i], cut[i + 1], k / n);
+    size_t n = (size_t)pieces(s, way == 1, cut[i], cut[i + 1]);
+    out->at[out->n++] = cut[i];
+    for (size_t k = 1; k < n; k++)
+      out->at[out->n++] = line_between(s, way == 1, cut[i], cut[i + 1], (double)k / (double)n);
   }
   out->at[out->n++] = 1.0;
 done:
