@@ -100,6 +100,17 @@ static struct um_vec3 point_at(const struct shape *s, double u, double v)
   return um_vec3_axpy(um_vec3_axpy(p, r * sin(angle), s->y), z, s->axis);
 }
 
+/* How far along a paraboloid's meridian u is, in steps that leave gaps of one share. With x = dz/dr
+ * = 2 c r, c = H / R^2, a chord over dr leaves the meridian by 2 c dr^2 / (8 sqrt(1 + x^2)). The
+ * radius of curvature across is sqrt(1 + x^2) / (2 c). Their ratio, dx^2 / (8 (1 + x^2)), is that
+ * of a circle cut at angles of d(asinh x). */
+static double dish_step(const struct shape *s, double u)
+{
+  double r, z;
+  profile(s, u, &r, &z);
+  return asinh(2.0 * s->height * r / (s->length[0] * s->length[0]));
+}
+
 /* Facets that a step from a to b of u or v is cut into. */
 static double pieces(const struct shape *s, bool around, double a, double b)
 {
@@ -108,23 +119,18 @@ static double pieces(const struct shape *s, bool around, double a, double b)
     turned = (b - a) * s->sweep;
   } else if (s->kind == SPHERE) {
     turned = (b - a) * (asin(s->length[2] / s->length[0]) - asin(s->length[1] / s->length[0]));
-  } else if (s->kind == PARABOLOID) { /* dz/dr = 2 H r / R^2 */
-    double r[2], z, slope = 2.0 * s->height / (s->length[0] * s->length[0]);
-    profile(s, a, &r[0], &z);
-    profile(s, b, &r[1], &z);
-    turned = atan(slope * r[1]) - atan(slope * r[0]);
+  } else if (s->kind == PARABOLOID) {
+    turned = dish_step(s, b) - dish_step(s, a);
   }
-  return fmax(1.0, ceil(turned / UM_TAS_STEP - 1e-9));
+  return fmax(1.0, fmin(ceil(turned / UM_TAS_STEP - 1e-9), UM_TAS_FACES)); /* of NaN: many */
 }
 
-/* Line k of n between a and b: of a paraboloid in equal steps of its radius. */
+/* The line at a share k of the way from a to b. */
 static double line_between(const struct shape *s, bool around, double a, double b, double k)
 {
   if (s->kind != PARABOLOID || around) return mix(a, b, k);
-  double low = s->length[1], r[2], z;
-  profile(s, a, &r[0], &z);
-  profile(s, b, &r[1], &z);
-  double share = mix(r[0], r[1], k) / s->length[0];
+  double low = s->length[1], slope = sinh(mix(dish_step(s, a), dish_step(s, b), k));
+  double share = slope * s->length[0] / (2.0 * s->height); /* r / R */
   return (s->height * share * share - low) / (s->height - low);
 }
 

@@ -151,7 +151,7 @@ static void cones(void **state)
 }
 
 /* A zone: corners on the sphere, between its cuts, with the file's own parallels; whole, it closes.
- * Facets of 10 deg fall short by 1.02 % where rows and columns meet at the equator, and less. */
+ * Facets of 10 deg fall short by 0.54 % here, by 0.63 % all over. */
 static void spheres(void **state)
 {
   (void)state;
@@ -169,7 +169,7 @@ static void spheres(void **state)
   assert_true(parallel);
   assert_close(low, -0.1, 1e-15);
   assert_close(high, 0.1, 1e-15);
-  assert_close(area_of(&s), 2.0 * UM_PI * 0.2 * 0.2, 0.0102 * area_of(&s));
+  assert_close(area_of(&s), 2.0 * UM_PI * 0.2 * 0.2, 0.0055 * area_of(&s));
   assert_true(area_of(&s) < 2.0 * UM_PI * 0.2 * 0.2);
   assert_true(least_outward(&s, false) > 0.85);
   support_destroy(&s);
@@ -180,7 +180,8 @@ static void spheres(void **state)
   support_destroy(&s);
 }
 
-/* z = H r^2 / R^2, whole and above 0.1 m: A = pi / (6 c^2) [(1 + 4 c^2 r^2)^1.5], c = H / R^2. */
+/* z = H r^2 / R^2, whole and above 0.1 m, where facets fall short by 0.8 % at most: A = pi / (6
+ * c^2) [(1 + 4 c^2 r^2)^1.5], c = H / R^2. */
 static double dish(double c, double r)
 {
   return UM_PI / (6 * c * c) * pow(1 + 4 * c * c * r * r, 1.5);
@@ -196,13 +197,13 @@ static void paraboloids(void **state)
     struct um_vec3 p = s.pose->vertex[i];
     assert_close(p.z, c * (p.x * p.x + p.y * p.y), 1e-15);
   }
-  assert_close(area_of(&s), exact, 0.0102 * exact); /* as of a sphere */
+  assert_close(area_of(&s), exact, 0.008 * exact);
   assert_true(area_of(&s) < exact);
   assert_true(least_outward(&s, false) > 0.0); /* its convex side */
   support_destroy(&s);
   s = build(ONE("MGM_PARABOLOID($,#20,#21,#22,#34,#33,#30,#32)", ".BOTH.", "1,1,$,$,$,$"), false);
   exact = dish(c, 0.2) - dish(c, 0.1);
-  assert_close(area_of(&s), exact, 0.0102 * exact); /* as of a sphere */
+  assert_close(area_of(&s), exact, 0.008 * exact);
   assert_int_equal(um_geometry_report(s.geometry, 0).nboundary_edge, 72);
   support_destroy(&s);
 }
@@ -367,6 +368,10 @@ static void refuses_geometry(void **state)
   refuse(ROUND("MGM_CYLINDER($,#20,#21,#22,#30,#30,#32)"), "expected: a unit of metre");
   refuse(ROUND("MGM_CYLINDER($,#20,#21,#22,#38,#30,#32)"), "its radii or cuts (-0.2");
   refuse(ROUND("MGM_SPHERE($,#20,#21,#22,#34,#33,#36,#30,#32)"), "its radii or cuts (0.2, 0.1");
+  refuse(HEAD FRAME VALUE("60", "1e-200", "11") MODEL("#40")
+             SURFACE("40", "steep", "$", "#41", ".BOTH.", "$", "$",
+                     "1,1,$,$,$,$") "#41=MGM_PARABOLOID($,#20,#21,#22,#60,#35,#30,#32);\n" TAIL,
+         "'steep': a corner at");
   refuse(ROUND("MGM_CYLINDER($,#20,#21)"), "expected: a point, as #12");
   refuse(ROUND("MGM_RECTANGLE($,#20,#21,#21)"), "a convex outline");
   refuse(MESH(".TOP.", "1,1,$,$,$,$"), "'one': its active side");
