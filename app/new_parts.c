@@ -19,13 +19,14 @@ struct page {
   FILE *file;
 };
 
-/* Material of a group: what its usemtl names where that is a record of the library. */
-static const char *material_of(const struct um_geometry_obj_group *group, char *const *record,
+/* Material of a group: what its usemtl names where that is a record of the library, else `other`.
+ */
+static const char *material_of(const char *usemtl, const char *other, char *const *record,
                                size_t nrecord)
 {
-  for (size_t i = 0; i < nrecord && group->usemtl != NULL; i++)
-    if (strcmp(record[i], group->usemtl) == 0) return record[i];
-  return MATERIAL;
+  for (size_t i = 0; i < nrecord && usemtl != NULL; i++)
+    if (strcmp(record[i], usemtl) == 0) return record[i];
+  return usemtl != NULL ? MATERIAL : other;
 }
 
 /* "bus" of "bus.sides" where all groups of the part begin so, else the name of its first group; a
@@ -93,13 +94,13 @@ static void put_part(FILE *file, const char *mesh, double scale, const char *nam
   for (size_t g = 0; g < look->ngroup; g++) {
     const struct um_geometry_obj_group *group = &look->group[g];
     if (group->part != part) continue;
-    const char *material = material_of(group, record, nrecord);
+    const char *material = material_of(group->usemtl, MATERIAL, record, nrecord);
     closed = closed && group->nclosed > 0;
     if (group->nclosed > 0)
       fprintf(file, "      \"%s\": %s\n", group->name, material);
     else
       fprintf(file, "      \"%s\": {front: %s, back: %s}   # open: both of its sides\n",
-              group->name, material, material);
+              group->name, material, material_of(group->usemtl_back, material, record, nrecord));
   }
   fputs("    # heat capacity of the walls by their area: 1.5 mm of aluminium\n"
         "    shell: {areal_heat_capacity_J_m2_K: 3600}\n",

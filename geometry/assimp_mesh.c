@@ -49,16 +49,13 @@ static void put(struct work *w, const char *format, ...)
   if (n > 0) w->used += (size_t)n;
 }
 
-/* A name as one line of OBJ takes it; where foreign characters stand, '_'. */
+/* A name as one line of OBJ. */
 static void put_name(struct work *w, const char *statement, const char *name, const char *of)
 {
   char text[2 * UM_CORE_NAME_LONGEST + 2];
-  snprintf(text, UM_CORE_NAME_LONGEST, "%s%s%s", name, of[0] != '\0' ? "." : "", of);
-  for (char *c = text; *c != '\0'; c++)
-    if ((unsigned char)*c < 0x20 || *c == 0x7f || strchr("#`\"\\$", *c) != NULL) *c = '_';
-  if (!um_core_name_is_safe_behind(text))
-    for (char *c = text; *c != '\0'; c++)
-      if ((unsigned char)*c >= 0x80) *c = '_';
+  if (snprintf(text, UM_CORE_NAME_LONGEST, "%s%s%s", name, of[0] != '\0' ? "." : "", of) < 0)
+    text[0] = '\0';
+  um_geometry_foreign_name(text);
   put(w, "%s %s\n", statement, text[0] != '\0' ? text : "mesh");
 }
 

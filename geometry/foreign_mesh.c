@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/core/text.h"
 #include "geometry/foreign_mesh_impl.h"
 
 #define LOOK 4096 /* bytes in which a word is looked for */
@@ -13,6 +14,8 @@
   "says"
 #define CAD_TOOL                                                                                   \
   "open it in FreeCAD, select the bodies and export them as Wavefront OBJ, as docs/obj.md says"
+
+static const char step[] = "STEP";
 
 /* A file that begins with `first` and holds `word` soon after. */
 struct foreign {
@@ -32,7 +35,7 @@ static const struct foreign formats[] = {
     {"Kaydara FBX", "", "FBX", NULL, MESH_TOOL},
     {"<?xml", "<COLLADA", "COLLADA (.dae)", NULL, MESH_TOOL},
     {"PK\x03\x04", "", "a packed file (3MF, FreeCAD or ZIP)", NULL, "unpack it, or " MESH_TOOL},
-    {"ISO-10303-21;", "", "STEP", NULL, CAD_TOOL},
+    {"ISO-10303-21;", "", step, NULL, CAD_TOOL},
 };
 
 /* Does `word` stand in the first bytes? There may be NUL bytes. */
@@ -74,6 +77,15 @@ static bool is_iges(const char *bytes, size_t length)
          holds(bytes + 73, 7, "1");
 }
 
+void um_geometry_foreign_name(char *name)
+{
+  for (char *c = name; *c != '\0'; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f || strchr("#`\"\\$", *c) != NULL) *c = '_';
+  if (!um_core_name_is_safe_behind(name))
+    for (char *c = name; *c != '\0'; c++)
+      if ((unsigned char)*c >= 0x80) *c = '_';
+}
+
 enum um_status um_geometry_foreign_read(struct um_context *context, const char *path,
                                         const char *bytes, size_t length, char **obj, size_t *n)
 {
@@ -96,7 +108,9 @@ enum um_status um_geometry_foreign_read(struct um_context *context, const char *
   if (found == NULL) return check_cut_stl(context, path, bytes, length);
   if (found->hint != NULL)
     return um_geometry_assimp_read(context, path, found->name, found->hint, bytes, length, obj, n);
+  if (found->name == step && um_geometry_step_tas_is(bytes, length))
+    return um_geometry_step_tas_read(context, path, bytes, length, obj, n);
   return um_core_fail(context, UM_ERR_INPUT,
-                      "%s: this is %s; accepted: Wavefront OBJ, STL, PLY, OFF, glTF; %s", path,
-                      found->name, found->convert);
+                      "%s: this is %s; accepted: Wavefront OBJ, STL, PLY, OFF, glTF, STEP-TAS; %s",
+                      path, found->name, found->convert);
 }

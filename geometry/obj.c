@@ -30,6 +30,8 @@ struct reader {
   char others[400];           /* groups of the file that are not wished, for a message */
   const char *other;          /* the last of them */
   const char *g, *usemtl, *o; /* names in force, or NULL */
+  const char *back;           /* material of the back, of a mesh that was not OBJ */
+  bool made;                  /* it is one */
   /* faces are kept until all vertices are known: an index may point forward */
   int64_t *index; /* all faces one after the other, 0-based */
   size_t nindex, index_capacity;
@@ -110,18 +112,19 @@ static bool is_wished(struct reader *r, const char *group)
   return wished;
 }
 
-/* The group and, where that is asked for, what material its first face names. */
+/* The group and, where that is asked for, what materials its first face names. */
 static enum um_status take_group(struct reader *r, const char *group, uint32_t *index)
 {
   size_t n = r->patch->ngroup;
-  char ***usemtl = r->wish->usemtl;
-  if (usemtl != NULL && um_geometry_patch_group_find(r->patch, group) == UM_GEOMETRY_NONE) {
-    UM_TRY(um_core_reallocate(r->context, n + 1, sizeof **usemtl, usemtl));
-    (*usemtl)[n] = NULL;
+  struct um_geometry_obj_material **material = r->wish->material;
+  if (material != NULL && um_geometry_patch_group_find(r->patch, group) == UM_GEOMETRY_NONE) {
+    UM_TRY(um_core_reallocate(r->context, n + 1, sizeof **material, material));
+    (*material)[n] = (struct um_geometry_obj_material){NULL, NULL};
   }
   UM_TRY(um_geometry_patch_group(r->patch, group, index));
-  if (usemtl == NULL || r->patch->ngroup == n || r->usemtl == NULL) return UM_OK;
-  return um_core_strdup(r->context, r->usemtl, &(*usemtl)[n]);
+  if (material == NULL || r->patch->ngroup == n) return UM_OK;
+  if (r->usemtl != NULL) UM_TRY(um_core_strdup(r->context, r->usemtl, &(*material)[n].front));
+  return r->back == NULL ? UM_OK : um_core_strdup(r->context, r->back, &(*material)[n].back);
 }
 
 static enum um_status read_face(struct reader *r, char *rest)
@@ -181,7 +184,9 @@ static enum um_status read_line(struct reader *r, char *line)
   if (strcmp(line, "v") == 0) return read_vertex(r, rest);
   if (strcmp(line, "f") == 0) return read_face(r, rest);
   const char *name = *rest != '\0' ? rest : NULL;
-  bool naming = strcmp(line, "g") == 0 || strcmp(line, "o") == 0 || strcmp(line, "usemtl") == 0;
+  bool back = r->made && strcmp(line, "usemtl_back") == 0;
+  bool naming =
+      strcmp(line, "g") == 0 || strcmp(line, "o") == 0 || strcmp(line, "usemtl") == 0 || back;
   if (naming && name != NULL && !um_core_name_is_safe_behind(name))
     return FAIL(r, "'%.100s' is not accepted; accepted: " UM_CORE_NAME_ACCEPTED_BEHIND, name);
   if (strcmp(line, "g") == 0)
@@ -190,6 +195,8 @@ static enum um_status read_line(struct reader *r, char *line)
     r->o = name;
   else if (strcmp(line, "usemtl") == 0)
     r->usemtl = name;
+  else if (back)
+    r->back = name;
   else {
     for (size_t i = 0; i < sizeof passed_over / sizeof *passed_over; i++)
       if (strcmp(line, passed_over[i]) == 0) return UM_OK;
@@ -302,13 +309,18 @@ enum um_status um_geometry_obj_read(struct um_geometry_patch *patch, const char 
   struct reader r = {
       .context = patch->context, .patch = patch, .path = path, .scale = wish->scale, .wish = wish};
   UM_CHECK(um_core_file_read(r.context, path, MAX_FILE_BYTES, &text, &length));
-  UM_CHECK(um_geometry_foreign_read(r.context, path, text, length, &made, &nmade));
+  /* of a file of several parts, warnings come once: with the part that takes all, or a look */
+  if (wish->ngroup > 0) um_core_quiet_begin(r.context);
+  status = um_geometry_foreign_read(r.context, path, text, length, &made, &nmade);
+  if (wish->ngroup > 0) um_core_quiet_end(r.context);
+  UM_CHECK(status);
   if (made != NULL) { /* lines are those of the OBJ that it became */
     um_core_free(r.context, text);
     text = made;
     length = nmade;
     UM_CHECK(um_core_asprintf(r.context, &as_obj, "%s (as OBJ)", path));
     r.path = as_obj;
+    r.made = true;
   }
   const char *nul = memchr(text, '\0', length);
   if (nul != NULL) {

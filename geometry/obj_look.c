@@ -7,7 +7,7 @@
 void um_geometry_obj_look_clear(struct um_context *context, struct um_geometry_obj_look *look)
 {
   for (size_t i = 0; i < look->ngroup; i++)
-    UM_FREE(context, look->group[i].name, look->group[i].usemtl);
+    UM_FREE(context, look->group[i].name, look->group[i].usemtl, look->group[i].usemtl_back);
   um_core_free(context, look->group);
   *look = (struct um_geometry_obj_look){0};
 }
@@ -104,23 +104,25 @@ enum um_status um_geometry_obj_look(struct um_context *context, const char *path
 {
   enum um_status status;
   struct um_geometry_patch patch;
-  char **usemtl = NULL;
+  struct um_geometry_obj_material *material = NULL;
   *out = (struct um_geometry_obj_look){0};
   um_geometry_patch_begin(&patch, context, path);
-  const struct um_geometry_obj_wish wish = {.scale = 1.0, .usemtl = &usemtl};
+  const struct um_geometry_obj_wish wish = {.scale = 1.0, .material = &material};
   UM_CHECK(um_geometry_obj_read(&patch, path, &wish));
   UM_CHECK(um_core_allocate(context, patch.ngroup, sizeof *out->group, &out->group));
   out->ngroup = patch.ngroup;
   for (size_t g = 0; g < patch.ngroup; g++) {
-    out->group[g].usemtl = usemtl[g];
-    usemtl[g] = NULL;
+    out->group[g].usemtl = material[g].front;
+    out->group[g].usemtl_back = material[g].back;
+    material[g] = (struct um_geometry_obj_material){NULL, NULL};
   }
   UM_CHECK(um_geometry_patch_weld(&patch));
   UM_CHECK(um_geometry_patch_check(&patch));
   UM_CHECK(look_at(&patch, out));
 done:
-  for (size_t g = 0; usemtl != NULL && g < patch.ngroup; g++) um_core_free(context, usemtl[g]);
-  um_core_free(context, (void *)usemtl);
+  for (size_t g = 0; material != NULL && g < patch.ngroup; g++)
+    UM_FREE(context, material[g].front, material[g].back);
+  um_core_free(context, material);
   um_geometry_patch_end(&patch);
   if (status != UM_OK) um_geometry_obj_look_clear(context, out);
   return status;

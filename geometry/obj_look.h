@@ -7,8 +7,8 @@
 /* Groups that share edges are one part: sides of one body. */
 struct um_geometry_obj_group {
   char *name;
-  char *usemtl; /* what material its first face names; NULL: none */
-  size_t part;  /* number of the part that it belongs to, from 0, in the order of the file */
+  char *usemtl, *usemtl_back; /* materials that its first face names; NULL: none */
+  size_t part; /* number of the part that it belongs to, from 0, in the order of the file */
   size_t nfacet, nclosed; /* triangles, and those of closed pieces of its part */
 };
 struct um_geometry_obj_look {

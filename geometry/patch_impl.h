@@ -66,9 +66,13 @@ struct um_geometry_obj_wish {
   double scale;              /* metres per unit of the file [m] */
   const char *const *groups; /* [ngroup] these groups alone; all where ngroup is 0 */
   size_t ngroup;
-  char ***usemtl; /* NULL, or takes [patch->ngroup] the material that the first face of each group
-                     names, NULL where none does; grows with the groups, so that it is to be freed
-                     after a failure, too */
+  /* NULL, or takes [patch->ngroup] the materials that the first face of each group names; grows
+   * with the groups, so that it is to be freed after a failure, too */
+  struct um_geometry_obj_material **material;
+};
+/* NULL where none is named; a back only by formats that have one. */
+struct um_geometry_obj_material {
+  char *front, *back;
 };
 /* Reads an OBJ file, or a mesh of another format by way of OBJ (geometry/foreign_mesh.c).
  * UM_ERR_INPUT with file and line; a wished group without faces. */

@@ -131,14 +131,15 @@ static void names_drawings(void **state)
   char iges[200];
   memset(iges, ' ', sizeof iges);
   memcpy(iges + 72, "S      1\n", 9);
-  refuse("ISO-10303-21;\nHEADER;\n", 22,
-         "this is STEP; accepted: Wavefront OBJ, STL, PLY, OFF, glTF; open it in FreeCAD");
+  refuse(
+      "ISO-10303-21;\nHEADER;\n", 22,
+      "this is STEP; accepted: Wavefront OBJ, STL, PLY, OFF, glTF, STEP-TAS; open it in FreeCAD");
   refuse(iges, sizeof iges, "this is IGES;");
   refuse("PK\3\4\24\0", 6, "this is a packed file");
   refuse("<?xml version=\"1.0\"?>\n<COLLADA>\n", 32, "this is COLLADA");
   refuse("BLENDER-v300", 12,
          "this is a Blender file; accepted: Wavefront OBJ, STL, PLY, OFF, "
-         "glTF; open it in Blender");
+         "glTF, STEP-TAS; open it in Blender");
 }
 
 /* Files that are cut short. */

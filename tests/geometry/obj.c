@@ -169,6 +169,7 @@ static void refuses_wrong_text(void **state)
   refuse(SQUARE "f 1 2 99999999999999999999999\n", ":5: vertex index");
   refuse(SQUARE "f 1 2 2\n", ":5: the face uses vertex 2 twice");
   refuse(SQUARE "f 1 2 3\nhello world\n", ":6: 'hello'");
+  refuse(SQUARE "usemtl_back x\nf 1 2 3\n", ":5: 'usemtl_back'"); /* a word of our own */
   refuse("", "no faces (0 vertices)");
   refuse(SQUARE, "no faces (4 vertices)");
   refuse(SQUARE "f 1 2 3\nf 1 3", ":6: the last line has no line end");
