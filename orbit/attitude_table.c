@@ -102,27 +102,32 @@ done:
   return status;
 }
 
-static enum um_status read_message(struct um_context *context, char *text, double max_gap,
-                                   struct um_orbit_attitude_table *table)
+static enum um_status read_message(struct um_context *context,
+                                   const struct um_orbit_earth_orientation *orientation, char *text,
+                                   double max_gap, struct um_orbit_attitude_table *table)
 {
-  UM_TRY(um_orbit_aem_read(context, table->path, text, 0, table));
+  UM_TRY(um_orbit_aem_read(context, table->path, orientation, text, 0, table));
   return gaps_check(context, NULL, table, max_gap);
 }
 
-static enum um_status read_stk(struct um_context *context, const char *text, double max_gap,
+static enum um_status read_stk(struct um_context *context,
+                               const struct um_orbit_earth_orientation *orientation,
+                               const char *text, double max_gap,
                                struct um_orbit_attitude_table *table)
 {
   char *message = NULL;
   int before = 0;
   UM_TRY(
       um_orbit_stk_message(context, table->path, text, UM_ORBIT_STK_ATTITUDE, &message, &before));
-  enum um_status status = um_orbit_aem_read(context, table->path, message, before, table);
+  enum um_status status =
+      um_orbit_aem_read(context, table->path, orientation, message, before, table);
   if (status == UM_OK) status = gaps_check(context, NULL, table, max_gap);
   um_core_free(context, message);
   return status;
 }
 
 enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
+                                            const struct um_orbit_earth_orientation *orientation,
                                             double max_gap, struct um_orbit_attitude_table *table)
 {
   char *text = NULL;
@@ -132,9 +137,9 @@ enum um_status um_orbit_attitude_table_read(struct um_context *context, const ch
   bool is_text = strlen(text) == length;
   enum um_status status;
   if (is_text && um_orbit_message_is(text, "AEM"))
-    status = read_message(context, text, max_gap, table);
+    status = read_message(context, orientation, text, max_gap, table);
   else if (is_text && um_orbit_stk_is(text))
-    status = read_stk(context, text, max_gap, table);
+    status = read_stk(context, orientation, text, max_gap, table);
   else
     status = read_columns(context, text, length, max_gap, table);
   um_core_free(context, text);

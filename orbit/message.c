@@ -2,7 +2,6 @@
  * Rows of CIC begin with a modified Julian day and seconds of it. */
 #include "orbit/message_impl.h"
 
-#include <erfa.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,10 +35,10 @@ enum um_status um_orbit_message_refuse(const struct um_orbit_message *m, const c
                       m->line, key, value, accepted);
 }
 
-bool um_orbit_message_is_inertial(const char *frame, bool *biased)
+enum um_status um_orbit_message_blame(const struct um_orbit_message *m, enum um_status status)
 {
-  *biased = strcmp(frame, "EME2000") == 0;
-  return *biased || strcmp(frame, "GCRF") == 0 || strcmp(frame, "ICRF") == 0;
+  if (status != UM_OK) um_core_message_prefix(m->context, "%s:%d", m->name, m->line);
+  return status;
 }
 
 /* --- rows ------------------------------------------------------------------------------------- */
@@ -166,9 +165,7 @@ static enum um_status take_line(struct um_orbit_message *m, char *line, enum pla
 
 enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text)
 {
-  double precession[3][3], both[3][3];
   enum place place = HEADER;
-  eraBp06(2451545.0, 0.0, m->bias, precession, both);
   m->has_days = strncmp(skip_blanks(text), "CIC_", 4) == 0;
   m->last = -INFINITY;
   if (strncmp(text, "\xEF\xBB\xBF", 3) == 0) text += 3;

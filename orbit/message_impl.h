@@ -5,23 +5,24 @@
 
 #include "base/core/context.h"
 #include "base/core/vec.h"
+#include "orbit/frames.h"
 
 #define UM_ORBIT_MESSAGE_WORDS 12 /* of a row, at most */
 
-/* A message while it is read. Who reads fills in the first four. */
+/* A message while it is read. Who reads fills in the first five. */
 struct um_orbit_message {
   struct um_context *context;
   const char *name; /* of the file */
   const struct um_orbit_message_calls *calls;
-  void *self; /* of the calls */
+  void *self;                                           /* of the calls */
+  const struct um_orbit_earth_orientation *orientation; /* of frames that turn; NULL: zero */
   int line;
-  char version;      /* first digit, '1' */
-  bool has_days;     /* of CNES: a time is two numbers */
-  char scale[8];     /* of the segment */
-  bool begins;       /* no row of the segment was read */
-  size_t rows;       /* read so far */
-  double last;       /* time of the row before [s]; -INFINITY */
-  double bias[3][3]; /* GCRS to EME2000 */
+  char version;  /* first digit, '1' */
+  bool has_days; /* of CNES: a time is two numbers */
+  char scale[8]; /* of the segment */
+  bool begins;   /* no row of the segment was read */
+  size_t rows;   /* read so far */
+  double last;   /* time of the row before [s]; -INFINITY */
 };
 struct um_orbit_message_calls {
   void (*begin)(void *self); /* META_START; NULL: nothing to do */
@@ -48,8 +49,7 @@ enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text);
 /* UM_ERR_INPUT "file:line: key: 'value'; accepted: ...". */
 enum um_status um_orbit_message_refuse(const struct um_orbit_message *m, const char *key,
                                        const char *value, const char *accepted);
-
-/* Frames that do not turn: GCRF, ICRF, and EME2000, which the bias turns. */
-bool um_orbit_message_is_inertial(const char *frame, bool *biased);
+/* A failure of a row's own, with file and line before its message; UM_OK: nothing. */
+enum um_status um_orbit_message_blame(const struct um_orbit_message *m, enum um_status status);
 
 #endif

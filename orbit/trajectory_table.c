@@ -195,19 +195,22 @@ done:
   return status;
 }
 
-static enum um_status read_stk(struct um_context *context, const char *text,
-                               struct um_orbit_table *table)
+static enum um_status read_stk(struct um_context *context,
+                               const struct um_orbit_earth_orientation *orientation,
+                               const char *text, struct um_orbit_table *table)
 {
   char *message = NULL;
   int before = 0;
   UM_TRY(
       um_orbit_stk_message(context, table->path, text, UM_ORBIT_STK_EPHEMERIS, &message, &before));
-  enum um_status status = um_orbit_oem_read(context, table->path, message, before, table);
+  enum um_status status =
+      um_orbit_oem_read(context, table->path, orientation, message, before, table);
   um_core_free(context, message);
   return status;
 }
 
 enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   const struct um_orbit_earth_orientation *orientation,
                                    struct um_orbit_table *table)
 {
   char *text = NULL;
@@ -217,9 +220,9 @@ enum um_status um_orbit_table_read(struct um_context *context, const char *path,
   bool is_text = strlen(text) == length;
   enum um_status status;
   if (is_text && um_orbit_message_is(text, "OEM"))
-    status = um_orbit_oem_read(context, path, text, 0, table);
+    status = um_orbit_oem_read(context, path, orientation, text, 0, table);
   else if (is_text && um_orbit_stk_is(text))
-    status = read_stk(context, text, table);
+    status = read_stk(context, orientation, text, table);
   else
     status = read_columns(context, path, text, length, table);
   um_core_free(context, text);

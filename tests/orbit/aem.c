@@ -1,6 +1,8 @@
 /* Attitude messages: every direction, order and frame says the same turn; every fault's message. */
 #include "attitude_test.h"
 
+#include "orbit/frames.h"
+
 #define HEAD "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2016-265T00:00:00\nORIGINATOR = X\n"
 #define META(a, b, dir, type)                                                                      \
   "META_START\nOBJECT_NAME = A SAT\nREF_FRAME_A = " a "\nREF_FRAME_B = " b "\nATTITUDE_DIR = " dir \
@@ -65,18 +67,50 @@ static void frame_bias(void **state)
   assert_close(x.z, z, 2e-10); /* no turn about z moves it */
 }
 
+/* A body that stands still in ITRF turns with the Earth: at each row it is where the Earth is, and
+ * between two that are 30 s apart 1e-8 off of it at most, the turn about the pole being even. The
+ * first row's quaternion is not the second's: 90 deg about z come first. */
+static void turning_frame(void **state)
+{
+  struct um_context *context = *state;
+  static const struct um_orbit_earth_orientation eop = {
+      .ut1_utc = -0.2678, .xp = 0.2366 * UM_ARCSEC, .yp = 0.3513 * UM_ARCSEC};
+  static const char text[] =
+      HEAD META("ITRF", "SC_BODY_1", "A2B",
+                "LAST") "2016-09-21T20:00:00 0 0 0.70710678118654752 0.70710678118654752\n"
+                        "2016-09-21T20:00:30 0 0 0.70710678118654752 0.70710678118654752\n" STOP;
+  char path[256];
+  scratch_write("aem", text, path);
+  struct um_orbit_attitude *attitude =
+      attitude_of(context, (struct um_orbit_attitude_law){
+                               .kind = UM_ATTITUDE_TABLE, .table_path = path, .orientation = &eop});
+  remove(path);
+  for (int k = 0; k < 3; k++) {
+    struct um_mat3 earth;
+    double t = utc(context, "2016-09-21T20:00:00Z") + 15.0 * k;
+    struct um_orbit_attitude_input input = input_at(t);
+    struct um_vec3 e = um_vec3(0.6, 0.48, 0.64);
+    assert_ok(context, um_orbit_frames_gcrs_to_itrf(context, &eop, t, &earth));
+    struct um_vec3 in_earth = um_mat3_apply(earth, e);
+    assert_vec_near(um_quat_apply(attitude_at(context, attitude, &input), e),
+                    um_vec3(in_earth.y, -in_earth.x, in_earth.z), 1e-8);
+  }
+  um_orbit_attitude_destroy(&attitude);
+}
+
 static void refusals(void **state)
 {
   struct um_context *context = *state;
   static const struct {
     const char *text, *message;
   } cases[] = {
-      {HEAD META("ITRF", "SC_BODY_1", "A2B", "FIRST") FIRST,
-       ":6: REF_FRAME_A: 'ITRF'; accepted: GCRF, ICRF, EME2000, SC_BODY_1, SATELLITE_FRAME"},
+      {HEAD META("GTOD", "SC_BODY_1", "A2B", "FIRST") FIRST,
+       ":6: REF_FRAME_A: 'GTOD'; accepted: GCRF, ICRF, EME2000, ITRF, TEME, TOD, MOD, SC_BODY_1, "
+       "SATELLITE_FRAME"},
       {HEAD META("GCRF", "ICRF", "A2B", "FIRST") FIRST,
        ":12: the segment has no frame of the body; accepted: REF_FRAME_A or B"},
       {HEAD META("SC_BODY_1", "SC_BODY_2", "A2B", "FIRST") FIRST,
-       ":12: the segment has no frame that does not turn; accepted: REF_FRAME_A or B"},
+       ":12: the segment has no frame beside the body's; accepted: REF_FRAME_A or B"},
       {HEAD META("GCRF", "SC_BODY_1", "B2C", "FIRST") FIRST,
        ":8: ATTITUDE_DIR: 'B2C'; accepted: A2B, B2A"},
       {HEAD META("GCRF", "SC_BODY_1", "A2B", "MIDDLE") FIRST,
@@ -114,6 +148,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(turns, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(frame_bias, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(turning_frame, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(refusals, context_setup, context_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
