@@ -4,7 +4,8 @@
  *
  *   v_B = M(q) v_A,   q = (cos(phi/2), e sin(phi/2)),   as everywhere here (base/core/vec.h)
  *
- * Version 2 of the standard has neither direction nor order: A to B, the scalar last. */
+ * Version 2 of the standard has neither direction nor order: A to B, the scalar last. In XML the
+ * components have names, and become a row with the scalar last. */
 #include <math.h>
 #include <string.h>
 
@@ -126,24 +127,27 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
   return UM_OK;
 }
 
-static const struct um_orbit_message_calls calls = {.begin = begin,
-                                                    .key = take_key,
-                                                    .ready = ready,
-                                                    .row = take_row,
-                                                    .least = 4,
-                                                    .most = 4,
-                                                    .row_is = "a time, 4 of a quaternion"};
+static const struct um_orbit_message_calls calls = {
+    .kind = "AEM",
+    .stk = UM_ORBIT_STK_ATTITUDE,
+    .form = {.message = "aem",
+             .row = "attitudeState",
+             .fields = {{"Q1", NULL}, {"Q2", NULL}, {"Q3", NULL}, {"QC", NULL}},
+             .end_of_meta = "QUATERNION_TYPE = LAST"},
+    .begin = begin,
+    .key = take_key,
+    .ready = ready,
+    .row = take_row,
+    .least = 4,
+    .most = 4,
+    .row_is = "a time, 4 of a quaternion"};
 
 enum um_status um_orbit_aem_read(struct um_context *context, const char *name,
                                  const struct um_orbit_earth_orientation *orientation, char *text,
-                                 int before, struct um_orbit_attitude_table *table)
+                                 size_t length, bool *is, struct um_orbit_attitude_table *table)
 {
   struct reader r = {.table = table};
-  struct um_orbit_message m = {.context = context,
-                               .name = name,
-                               .calls = &calls,
-                               .self = &r,
-                               .orientation = orientation,
-                               .line = -before};
-  return um_orbit_message_read(&m, text);
+  struct um_orbit_message m = {
+      .context = context, .name = name, .calls = &calls, .self = &r, .orientation = orientation};
+  return um_orbit_message_read(&m, text, length, is);
 }

@@ -84,6 +84,16 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
 }
 
 static const struct um_orbit_message_calls calls = {
+    .kind = "OEM",
+    .stk = UM_ORBIT_STK_EPHEMERIS,
+    .form = {.message = "oem",
+             .row = "stateVector",
+             .fields = {{"X", "km"},
+                        {"Y", "km"},
+                        {"Z", "km"},
+                        {"X_DOT", "km/s"},
+                        {"Y_DOT", "km/s"},
+                        {"Z_DOT", "km/s"}}},
     .begin = begin,
     .key = take_key,
     .ready = ready,
@@ -94,14 +104,10 @@ static const struct um_orbit_message_calls calls = {
 
 enum um_status um_orbit_oem_read(struct um_context *context, const char *name,
                                  const struct um_orbit_earth_orientation *orientation, char *text,
-                                 int before, struct um_orbit_table *table)
+                                 size_t length, bool *is, struct um_orbit_table *table)
 {
   struct reader r = {.table = table};
-  struct um_orbit_message m = {.context = context,
-                               .name = name,
-                               .calls = &calls,
-                               .self = &r,
-                               .orientation = orientation,
-                               .line = -before};
-  return um_orbit_message_read(&m, text);
+  struct um_orbit_message m = {
+      .context = context, .name = name, .calls = &calls, .self = &r, .orientation = orientation};
+  return um_orbit_message_read(&m, text, length, is);
 }

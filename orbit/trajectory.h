@@ -37,7 +37,7 @@ enum um_status um_orbit_trajectory_create_circular(struct um_context *context, d
                                                    double beta, double period,
                                                    struct um_orbit_trajectory **out);
 /* CSV `time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s]` in GCRS, times ascending, or an ephemeris
- * of others (OEM of CCSDS 502.0-B or CIC as key = value, STK) in a frame of orbit/frames.h, to
+ * of others (OEM of CCSDS as key = value or XML, of CIC, or STK) in a frame of orbit/frames.h, to
  * which the orientation belongs (NULL: UT1 is UTC, the pole at zero); which, is found out. Cubic
  * Hermite (velocities by a spline when absent). Outside the table is UM_ERR_INPUT, and so are, with
  * file, line and column, positions below 6000 km or beyond 1e9 km from the geocentre and speeds not

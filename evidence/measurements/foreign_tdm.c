@@ -1,11 +1,13 @@
-/* Tracking data messages (TDM, CCSDS 503.0-B) as key = value: what they say of magnitudes, a row
- * each, `time_utc,track,MAG`. A segment is a track. Angles, ranges and the rest are passed over. */
+/* Tracking data messages (TDM, CCSDS 503.0-B) as key = value or XML: what they say of magnitudes, a
+ * row each, `time_utc,track,MAG`. A segment is a track. Angles, ranges and the rest are passed
+ * over. */
 #include <math.h>
 #include <string.h>
 
 #include "base/core/csv.h"
 #include "base/core/number.h"
 #include "evidence/measurements/foreign_kind.h"
+#include "orbit/ndm.h"
 #include "orbit/time.h"
 
 struct reader {
@@ -13,6 +15,7 @@ struct reader {
   const char *path;
   FILE *csv;
   int line, segment;
+  int at; /* line of the table that is written; in XML */
   bool meta, data;
   size_t magnitudes;
   char scale[16];
@@ -82,27 +85,52 @@ static enum um_status take_line(struct reader *r, char *line)
   return UM_OK;
 }
 
-static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
-                              size_t length, FILE *csv)
+static enum um_status read_lines(struct reader *r, char *text)
 {
-  enum um_status status = UM_OK;
-  struct reader r = {.context = context, .path = path, .csv = csv};
-  char *text = NULL;
-  UM_TRY(um_core_allocate(context, length + 1, 1, &text));
-  memcpy(text, bytes, length);
-  for (char *at = text, *next; status == UM_OK && at != NULL; at = next) {
+  for (char *at = text, *next; at != NULL; at = next) {
     char *end = at + strcspn(at, "\n");
     next = *end != '\0' && end[1] != '\0' ? end + 1 : NULL;
     *end = '\0';
-    if (++r.line == 1)
-      fputs("time_utc,track,MAG", csv); /* where the version stands */
-    else
-      status = take_line(&r, at);
-    fputc('\n', csv);
+    if (++r->line > 1) UM_TRY(take_line(r, at)); /* behind the version */
+    fputc('\n', r->csv);
   }
-  if (status == UM_OK && r.data)
-    status = um_core_fail(context, UM_ERR_INPUT,
-                          "%s:%d: DATA_STOP is missing: the file may be cut short", path, r.line);
+  if (!r->data) return UM_OK;
+  return um_core_fail(r->context, UM_ERR_INPUT,
+                      "%s:%d: DATA_STOP is missing: the file may be cut short", r->path, r->line);
+}
+
+/* A line of a message in XML: its row stands in that line of the table where there is room. */
+static enum um_status take_xml_line(void *self, int line, char *text)
+{
+  struct reader *r = self;
+  size_t before = r->magnitudes;
+  r->line = line;
+  for (; r->at < line; r->at++) fputc('\n', r->csv);
+  UM_TRY(take_line(r, text));
+  if (r->magnitudes == before) return UM_OK;
+  fputc('\n', r->csv);
+  r->at++;
+  return UM_OK;
+}
+
+static bool is_xml(const char *bytes) { return um_orbit_ndm_is(bytes, "tdm"); }
+
+static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
+                              size_t length, FILE *csv)
+{
+  static const struct um_orbit_ndm_form form = {.message = "tdm", .row = "observation"};
+  enum um_status status;
+  struct reader r = {.context = context, .path = path, .csv = csv, .at = 2};
+  char *text = NULL;
+  UM_TRY(um_core_allocate(context, length + 1, 1, &text));
+  memcpy(text, bytes, length);
+  fputs("time_utc,track,MAG", csv);
+  if (is_xml(text)) {
+    fputc('\n', csv);
+    status = um_orbit_ndm_read(context, path, text, length, &form, take_xml_line, &r);
+  } else {
+    status = read_lines(&r, text);
+  }
   if (status == UM_OK && r.magnitudes == 0)
     status = um_core_fail(context, UM_ERR_INPUT,
                           "%s: this TDM has no magnitudes; accepted: MAG rows, of which "
@@ -115,7 +143,7 @@ static enum um_status convert(struct um_context *context, const char *path, cons
 static bool is(const char *bytes, size_t length)
 {
   static const char mark[] = "CCSDS_TDM_VERS";
-  return length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0;
+  return (length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0) || is_xml(bytes);
 }
 
 const struct um_compare_foreign_kind um_compare_foreign_tdm = {is, convert};

@@ -18,6 +18,20 @@
   "-0.70710678118654752\n"
 #define STOP "DATA_STOP\n"
 
+#define XML(version, a, b, meta)                                                                   \
+  "<aem id=\"CCSDS_AEM_VERS\" version=\"" version                                                  \
+  "\"><header/><body><segment><metadata>\n<REF_FRAME_A>" a "</REF_FRAME_A><REF_FRAME_B>" b         \
+  "</REF_FRAME_B><TIME_SYSTEM>UTC</TIME_SYSTEM>\n<ATTITUDE_TYPE>QUATERNION</ATTITUDE_TYPE>" meta   \
+  "</metadata><data>\n"
+/* components in one order and the other, by the names of either version */
+#define XML_ROWS                                                                                   \
+  "<attitudeState><quaternionEphemeris><EPOCH>2016-09-21T20:00:00</EPOCH><quaternion><Q1>0</Q1>"   \
+  "<Q2>0</Q2><Q3>0</Q3><QC>1</QC></quaternion></quaternionEphemeris></attitudeState>\n"            \
+  "<attitudeState><quaternionState><EPOCH>2016-265T20:00:30</EPOCH><quaternion>"                   \
+  "<QC>0.70710678118654752</QC><Q1>0</Q1><Q2>0</Q2><Q3>0.70710678118654752</Q3></quaternion>"      \
+  "</quaternionState></attitudeState>\n"
+#define XML_END "</data></segment></body></aem>\n"
+
 /* Where the inertial x axis stands in the body after 10 s of the turn. */
 static struct um_vec3 x_axis(struct um_context *context, const char *text)
 {
@@ -49,8 +63,13 @@ static void turns(void **state)
       "CIC_AEM_VERS = 1.0\n" META("ICRF", "SATELLITE_FRAME", "A2B",
                                   "FIRST") "57652 72000.0 1 0 0 0\n57652 72030.0 "
                                            "0.70710678118654752 0 0 0.70710678118654752\n",
+      XML("2.0", "GCRF", "SC_BODY_1", "") XML_ROWS XML_END,
+      "<ndm>" XML("1.0", "GCRF", "SC_BODY_1",
+                  "<ATTITUDE_DIR>A2B</ATTITUDE_DIR><QUATERNION_TYPE>FIRST</QUATERNION_TYPE>")
+          XML_ROWS XML_END "</ndm>",
   };
   const double angle = 30.0 * UM_DEG;
+  assert_int_equal(sizeof texts / sizeof *texts, 9);
   for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
     assert_vec_near(x_axis(context, texts[k]), um_vec3(cos(angle), -sin(angle), 0.0), 1e-8);
 }
@@ -107,6 +126,13 @@ static void refusals(void **state)
       {HEAD META("GTOD", "SC_BODY_1", "A2B", "FIRST") FIRST,
        ":6: REF_FRAME_A: 'GTOD'; accepted: GCRF, ICRF, EME2000, ITRF, TEME, TOD, MOD, SC_BODY_1, "
        "SATELLITE_FRAME"},
+      {XML("2.0", "GCRF", "SC_BODY_1", "") "\n<attitudeState>\n<EPOCH>2016-265T20:00:30</EPOCH>"
+                                           "<QC>1</QC>\n</attitudeState>",
+       ":5: the attitudeState that begins here has no Q1"},
+      {XML("1.0", "GCRF", "SC_BODY_1", "") XML_ROWS, ":3: the segment has no ATTITUDE_DIR"},
+      {XML("2.0", "GCRF", "SC_BODY_1", "\n<ATTITUDE_TYPE>SPIN</ATTITUDE_TYPE>") XML_ROWS,
+       ":4: ATTITUDE_TYPE: 'SPIN'; accepted: QUATERNION"},
+      {"<oem/>", ": no element aem; accepted: navigation messages (NDM/XML) with one"},
       {HEAD META("GCRF", "ICRF", "A2B", "FIRST") FIRST,
        ":12: the segment has no frame of the body; accepted: REF_FRAME_A or B"},
       {HEAD META("SC_BODY_1", "SC_BODY_2", "A2B", "FIRST") FIRST,

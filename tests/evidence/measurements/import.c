@@ -374,6 +374,53 @@ static void test_tracking_message(void **state)
   }
 }
 
+/* The same in XML: lines of messages are the file's, and a file without line ends has its rows. */
+static void test_tracking_xml(void **state)
+{
+  (void)state;
+#define XML(scale)                                                                                 \
+  "<segment><metadata><TIME_SYSTEM>" scale "</TIME_SYSTEM><PARTICIPANT_1>GRAZ</PARTICIPANT_1>"     \
+  "</metadata><data>"
+#define SEEN(time, what) "<observation><EPOCH>" time "</EPOCH>" what "</observation>"
+  static const char text[] =
+      "<?xml version=\"1.0\"?><ndm><tdm id=\"CCSDS_TDM_VERS\" version=\"2.0\"><header/><body>" XML(
+          "UTC") SEEN("2016-09-21T20:33:00", "<ANGLE_1>12.5</ANGLE_1>")
+          SEEN("2016-09-21T20:33:00", "<MAG>7.25</MAG>")
+              SEEN("2016-265T20:34:00.5", "<MAG> -0.5 </MAG>") "</data></segment>" XML("TAI") SEEN(
+                  "2016-09-21T20:35:36.000", "<MAG>7</MAG>") "</data></segment></body></tdm></ndm>";
+  struct um_compare_columns columns = {
+      .time = "time_utc", .magnitude = "MAG", .track = "track", .band = "V"};
+  struct um_compare_imported found;
+  struct um_compare_measurements *m = import(text, &columns, &found);
+  assert_int_equal(m->count, 3);
+  assert_int_equal(m->ntrack, 2);
+  assert_close(m->row[0].value, 7.25, 0.0);
+  assert_close(m->row[1].value, -0.5, 0.0);
+  assert_close(m->row[1].t_tai - m->row[0].t_tai, 60.5, 1e-6);
+  assert_close(m->row[2].t_tai - m->row[0].t_tai, 120.0, 1e-6);
+  um_compare_measurements_destroy(context, &m);
+  static const struct {
+    const char *text, *says;
+  } faults[] = {
+      {"<tdm>\n" XML("UTC") "\n\n" SEEN("2016-09-21T20:33:00", "<MAG>bright</MAG>"),
+       "t.txt:4: 'bright'; accepted: a magnitude"},
+      {"<tdm>\n" XML("TDB"), "t.txt:2: 'TDB'; accepted: UTC, TAI, TT, GPS"},
+      {"<tdm>\n<segment><metadata/>",
+       "t.txt:2: 'META_STOP'; accepted: TIME_SYSTEM before it, one of UTC, TAI, TT, GPS"},
+      {"<tdm>\n" XML("UTC") "<observation><MAG>7</MAG>",
+       "t.txt:2: MAG: '7'; accepted: EPOCH before it"},
+      {"<tdm>" XML("UTC") SEEN("2016-09-21T20:33:00", "<RANGE>7</RANGE>") "</data></segment></tdm>",
+       "t.txt: this TDM has no magnitudes; accepted: MAG rows, of which measurements are made"},
+      {"<ndm/>", "t.txt: no element tdm; accepted: navigation messages (NDM/XML) with one"},
+      {"<tdm>" XML("UTC"), "t.txt:1: not XML as it should be: no element found"},
+  };
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+    put("t.txt", faults[i].text);
+    assert_refused(um_compare_import(context, "t.txt", &columns, &found, &m), UM_ERR_INPUT,
+                   faults[i].says);
+  }
+}
+
 /* The command that is proposed, by names and first rows; and that measurement readers propose it.
  */
 static void test_suggestions(void **state)
@@ -421,6 +468,7 @@ int main(void)
       cmocka_unit_test(test_forms),      cmocka_unit_test(test_kinds),
       cmocka_unit_test(test_map),        cmocka_unit_test(test_refusals),
       cmocka_unit_test(test_sensors),    cmocka_unit_test(test_tracking_message),
+      cmocka_unit_test(test_sensors),    cmocka_unit_test(test_tracking_xml),
       cmocka_unit_test(test_suggestions)};
   return cmocka_run_group_tests(tests, compare_set_up, compare_tear_down);
 }
