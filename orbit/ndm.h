@@ -35,8 +35,8 @@ bool um_orbit_ndm_is(const char *text, const char *message);
  * DATA_START and DATA_STOP for `metadata` and `data`, "KEYWORD = value" for what stands in the
  * former, and rows. Comments are left out. In constant memory, but for what expat holds of one
  * element. UM_ERR_INPUT, with file and line: no XML, a document type (so that no entity can be
- * declared), more than 256 MiB (700,000 rows), 32 elements in one another or 127 bytes of a value,
- * rows that are not whole, no such message; failures of `take` as they are. */
+ * declared), more than 256 MiB (some 700,000 rows), 32 elements in one another or 127 bytes of a
+ * value, rows that are not whole, no such message; failures of `take` as they are. */
 enum um_status um_orbit_ndm_read(struct um_context *context, const char *name, const char *bytes,
                                  size_t length, const struct um_orbit_ndm_form *form,
                                  um_orbit_ndm_take *take, void *self);
