@@ -1,10 +1,11 @@
 /* Attitude ephemeris messages (AEM, CCSDS 504.0-B, and CNES's) as rows of a table of quaternions. A
- * message turns frame A into B (A2B) or B into A; one of them does not turn, the other is the
- * body's.
+ * message turns frame A into B (A2B) or B into A; one of them is the body's, the other one of
+ * orbit/frames.h, from GCRS to which each row is turned at its own instant.
  *
  *   v_B = M(q) v_A,   q = (cos(phi/2), e sin(phi/2)),   as everywhere here (base/core/vec.h)
  *
- * Version 2 of the standard has neither direction nor order: A to B, the scalar last. */
+ * Version 2 of the standard has neither direction nor order: A to B, the scalar last. In XML the
+ * components have names, and become a row with the scalar last. */
 #include <math.h>
 #include <string.h>
 
@@ -17,12 +18,11 @@ struct reader {
   struct um_orbit_attitude_table *table;
   size_t room;
   /* of the segment; 0: not said */
-  char inertial, body; /* 'A', 'B': which frame does not turn, which is the body's */
-  char from;           /* 'A', 'B': which one is turned into the other */
-  char scalar;         /* 'F' first, 'L' last */
-  bool biased;         /* EME2000 */
+  char outer, body; /* 'A', 'B': which frame the body turns in, which is its own */
+  char from;        /* 'A', 'B': which one is turned into the other */
+  char scalar;      /* 'F' first, 'L' last */
   bool is_quaternion;
-  struct um_quat bias; /* GCRS to the frame that does not turn */
+  enum um_orbit_frame frame; /* the one that the body turns in */
 };
 
 static void begin(void *self)
@@ -43,15 +43,12 @@ static enum um_status take_frame(const struct um_orbit_message *m, struct reader
                                  const char *key, const char *value)
 {
   char which = key[strlen("REF_FRAME_")];
-  bool biased;
-  if (um_orbit_message_is_inertial(value, &biased)) {
-    r->inertial = which;
-    r->biased = biased;
+  if (um_orbit_frame_find(value, &r->frame)) {
+    r->outer = which;
     return UM_OK;
   }
   if (!is_body(value))
-    return um_orbit_message_refuse(m, key, value,
-                                   "GCRF, ICRF, EME2000, SC_BODY_1, SATELLITE_FRAME");
+    return um_orbit_message_refuse(m, key, value, UM_ORBIT_FRAMES ", SC_BODY_1, SATELLITE_FRAME");
   r->body = which;
   return UM_OK;
 }
@@ -85,24 +82,15 @@ static enum um_status missing(const struct um_orbit_message *m, const char *what
                       what);
 }
 
-static struct um_quat gcrs_to_eme2000(const struct um_orbit_message *m)
-{
-  struct um_mat3 b;
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 3; k++) b.m[i][k] = m->bias[i][k];
-  return um_core_quat_from_matrix(b);
-}
-
 static enum um_status ready(const struct um_orbit_message *m, void *self)
 {
   struct reader *r = self;
   if (m->version >= '2' && r->from == 0) r->from = 'A';
   if (m->version >= '2' && r->scalar == 0) r->scalar = 'L';
-  if (r->inertial == 0) return missing(m, "frame that does not turn; accepted: REF_FRAME_A or B");
+  if (r->outer == 0) return missing(m, "frame beside the body's; accepted: REF_FRAME_A or B");
   if (r->body == 0) return missing(m, "frame of the body; accepted: REF_FRAME_A or B");
   if (r->from == 0) return missing(m, "ATTITUDE_DIR");
   if (!r->is_quaternion) return missing(m, "ATTITUDE_TYPE");
-  if (r->biased) r->bias = gcrs_to_eme2000(m);
   return r->scalar != 0 ? UM_OK : missing(m, "QUATERNION_TYPE");
 }
 
@@ -120,6 +108,7 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
 {
   struct reader *r = self;
   const double *x = number;
+  struct um_mat3 turn;
   (void)count;
   struct um_quat q = r->scalar == 'F' ? (struct um_quat){x[0], x[1], x[2], x[3]}
                                       : (struct um_quat){x[3], x[0], x[1], x[2]};
@@ -128,27 +117,37 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
     return um_core_fail(m->context, UM_ERR_INPUT,
                         "%s:%d: the quaternion has norm %.6g, 1 within %g is accepted", m->name,
                         m->line, norm, UM_ORBIT_ATTITUDE_NORM);
-  if (r->from != r->inertial) q = um_quat_conjugate(q);
-  if (r->biased) q = um_quat_then(r->bias, q);
+  if (r->from != r->outer) q = um_quat_conjugate(q);
+  UM_TRY(um_orbit_message_blame(
+      m, um_orbit_frame_from_gcrs(m->context, m->orientation, r->frame, t_tai, &turn)));
+  q = um_quat_then(um_core_quat_from_matrix(turn), q);
   UM_TRY(reserve(m->context, r));
   r->table->t[r->table->n] = t_tai;
   r->table->q[r->table->n++] = um_quat_normalize(q);
   return UM_OK;
 }
 
-static const struct um_orbit_message_calls calls = {.begin = begin,
-                                                    .key = take_key,
-                                                    .ready = ready,
-                                                    .row = take_row,
-                                                    .least = 4,
-                                                    .most = 4,
-                                                    .row_is = "a time, 4 of a quaternion"};
+static const struct um_orbit_message_calls calls = {
+    .kind = "AEM",
+    .stk = UM_ORBIT_STK_ATTITUDE,
+    .form = {.message = "aem",
+             .row = "attitudeState",
+             .fields = {{"Q1", NULL}, {"Q2", NULL}, {"Q3", NULL}, {"QC", NULL}},
+             .end_of_meta = "QUATERNION_TYPE = LAST"},
+    .begin = begin,
+    .key = take_key,
+    .ready = ready,
+    .row = take_row,
+    .least = 4,
+    .most = 4,
+    .row_is = "a time, 4 of a quaternion"};
 
-enum um_status um_orbit_aem_read(struct um_context *context, const char *name, char *text,
-                                 int before, struct um_orbit_attitude_table *table)
+enum um_status um_orbit_aem_read(struct um_context *context, const char *name,
+                                 const struct um_orbit_earth_orientation *orientation, char *text,
+                                 size_t length, bool *is, struct um_orbit_attitude_table *table)
 {
   struct reader r = {.table = table};
   struct um_orbit_message m = {
-      .context = context, .name = name, .calls = &calls, .self = &r, .line = -before};
-  return um_orbit_message_read(&m, text);
+      .context = context, .name = name, .calls = &calls, .self = &r, .orientation = orientation};
+  return um_orbit_message_read(&m, text, length, is);
 }

@@ -52,7 +52,8 @@ static enum um_status law_make(struct um_context *context, struct law *law)
   if (law->law.kind == UM_ATTITUDE_TUMBLE)
     return um_orbit_tumble_make(context, law->law.inertia, law->law.rate, law->law.q, &law->tumble);
   if (law->law.kind != UM_ATTITUDE_TABLE) return UM_OK;
-  return um_orbit_attitude_table_read(context, law->law.table_path, law->law.max_gap, &law->table);
+  return um_orbit_attitude_table_read(context, law->law.table_path, law->law.orientation,
+                                      law->law.max_gap, &law->table);
 }
 
 enum um_status um_orbit_attitude_create(struct um_context *context,

@@ -3,6 +3,7 @@
 #define UMBRA_ORBIT_ATTITUDE_LAW_H
 
 #include "base/core/vec.h"
+#include "orbit/finals.h"
 
 enum um_orbit_attitude_kind {
   UM_ATTITUDE_FIXED,  /* q constant in GCRS */
@@ -19,7 +20,8 @@ enum um_orbit_attitude_kind {
                                as possible, and where a period is given the body turns about the
                                axis from there */
   UM_ATTITUDE_TUMBLE,       /* free motion of a body with three moments of inertia */
-  UM_ATTITUDE_TABLE         /* CSV time_utc,q0,q1,q2,q3; slerp; gaps over `max_gap` are errors */
+  UM_ATTITUDE_TABLE         /* CSV time_utc,q0,q1,q2,q3 or a message; slerp; gaps over `max_gap`
+                               are errors */
 };
 
 enum um_orbit_axis_frame { UM_AXIS_GCRS, UM_AXIS_LVLH, UM_AXIS_BODY };
@@ -51,7 +53,10 @@ struct um_orbit_attitude_law {
    * where that is NaN, under a rate [rad/s] and an acceleration [rad/s^2]; 0: at once */
   double slew_duration, slew_rate, slew_acceleration;
   const char *table_path; /* TABLE */
-  double max_gap;         /* TABLE [s]; <= 0: ten times the median step */
+  /* TABLE: of messages in frames that turn with the Earth; NULL: UT1 is UTC, the pole at zero.
+   * Borrowed until the attitude is made */
+  const struct um_orbit_earth_orientation *orientation;
+  double max_gap; /* TABLE [s]; <= 0: ten times the median step */
 };
 
 #endif

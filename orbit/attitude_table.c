@@ -6,13 +6,10 @@
 #include "base/core/interpolation.h"
 #include "base/core/order.h"
 #include "orbit/attitude_table_impl.h"
-#include "orbit/message_impl.h"
-#include "orbit/stk_impl.h"
 #include "orbit/time.h"
 #include "orbit/time_column_impl.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define BYTES ((size_t)1 << 30) /* of a file, as of any table */
 
@@ -102,41 +99,18 @@ done:
   return status;
 }
 
-static enum um_status read_message(struct um_context *context, char *text, double max_gap,
-                                   struct um_orbit_attitude_table *table)
-{
-  UM_TRY(um_orbit_aem_read(context, table->path, text, 0, table));
-  return gaps_check(context, NULL, table, max_gap);
-}
-
-static enum um_status read_stk(struct um_context *context, const char *text, double max_gap,
-                               struct um_orbit_attitude_table *table)
-{
-  char *message = NULL;
-  int before = 0;
-  UM_TRY(
-      um_orbit_stk_message(context, table->path, text, UM_ORBIT_STK_ATTITUDE, &message, &before));
-  enum um_status status = um_orbit_aem_read(context, table->path, message, before, table);
-  if (status == UM_OK) status = gaps_check(context, NULL, table, max_gap);
-  um_core_free(context, message);
-  return status;
-}
-
 enum um_status um_orbit_attitude_table_read(struct um_context *context, const char *path,
+                                            const struct um_orbit_earth_orientation *orientation,
                                             double max_gap, struct um_orbit_attitude_table *table)
 {
   char *text = NULL;
   size_t length;
   UM_TRY(um_core_strdup(context, path, &table->path));
   UM_TRY(um_core_file_read(context, path, BYTES, &text, &length));
-  bool is_text = strlen(text) == length;
-  enum um_status status;
-  if (is_text && um_orbit_message_is(text, "AEM"))
-    status = read_message(context, text, max_gap, table);
-  else if (is_text && um_orbit_stk_is(text))
-    status = read_stk(context, text, max_gap, table);
-  else
-    status = read_columns(context, text, length, max_gap, table);
+  bool is;
+  enum um_status status = um_orbit_aem_read(context, path, orientation, text, length, &is, table);
+  if (status == UM_OK && is) status = gaps_check(context, NULL, table, max_gap);
+  if (status == UM_OK && !is) status = read_columns(context, text, length, max_gap, table);
   um_core_free(context, text);
   return status;
 }

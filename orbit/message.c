@@ -1,15 +1,13 @@
 /* Messages of CCSDS (502.0-B, 504.0-B) and of CNES (CIC) as key = value: lines, segments, times.
- * Rows of CIC begin with a modified Julian day and seconds of it. */
+ * Rows of CIC begin with a modified Julian day and seconds of it. Other ways to write them become
+ * these lines first. */
 #include "orbit/message_impl.h"
 
-#include <erfa.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/core/number.h"
 #include "orbit/time.h"
-
-enum place { HEADER, META, ROWS, COVARIANCE };
 
 static const char *skip_blanks(const char *text)
 {
@@ -17,9 +15,9 @@ static const char *skip_blanks(const char *text)
   return text + strspn(text, " \t\r\n");
 }
 
-bool um_orbit_message_is(const char *text, const char *kind)
+/* Does a text begin as key = value of that kind, "OEM", does? */
+static bool is_pairs(const char *text, const char *kind)
 {
-  text = skip_blanks(text);
   if (strncmp(text, "CCSDS_", 6) == 0)
     text += 6;
   else if (strncmp(text, "CIC_", 4) == 0)
@@ -36,10 +34,10 @@ enum um_status um_orbit_message_refuse(const struct um_orbit_message *m, const c
                       m->line, key, value, accepted);
 }
 
-bool um_orbit_message_is_inertial(const char *frame, bool *biased)
+enum um_status um_orbit_message_blame(const struct um_orbit_message *m, enum um_status status)
 {
-  *biased = strcmp(frame, "EME2000") == 0;
-  return *biased || strcmp(frame, "GCRF") == 0 || strcmp(frame, "ICRF") == 0;
+  if (status != UM_OK) um_core_message_prefix(m->context, "%s:%d", m->name, m->line);
+  return status;
 }
 
 /* --- rows ------------------------------------------------------------------------------------- */
@@ -126,9 +124,9 @@ static enum um_status take_key(struct um_orbit_message *m, const char *key, cons
   return UM_OK;
 }
 
-static enum um_status end_meta(struct um_orbit_message *m, enum place *place)
+static enum um_status end_meta(struct um_orbit_message *m)
 {
-  *place = ROWS;
+  m->place = UM_ORBIT_ROWS;
   m->begins = true;
   if (m->scale[0] == '\0')
     return um_core_fail(m->context, UM_ERR_INPUT, "%s:%d: the segment has no TIME_SYSTEM", m->name,
@@ -136,12 +134,12 @@ static enum um_status end_meta(struct um_orbit_message *m, enum place *place)
   return m->calls->ready != NULL ? m->calls->ready(m, m->self) : UM_OK;
 }
 
-static enum um_status take_line(struct um_orbit_message *m, char *line, enum place *place)
+static enum um_status take_line(struct um_orbit_message *m, char *line)
 {
   char *word[UM_ORBIT_MESSAGE_WORDS], *key, *value;
-  bool is_pair = *place < ROWS && um_orbit_message_pair(line, &key, &value);
+  bool is_pair = m->place < UM_ORBIT_ROWS && um_orbit_message_pair(line, &key, &value);
   if (is_pair && strncmp(key, "COMMENT", 7) != 0) {
-    if (*place == META) return take_key(m, key, value);
+    if (m->place == UM_ORBIT_META) return take_key(m, key, value);
     if (strstr(key, "_VERS") != NULL) m->version = value[0];
     return UM_OK;
   }
@@ -150,36 +148,70 @@ static enum um_status take_line(struct um_orbit_message *m, char *line, enum pla
       strcmp(word[0], "DATA_STOP") == 0)
     return UM_OK;
   if (strcmp(word[0], "META_START") == 0) {
-    *place = META;
+    m->place = UM_ORBIT_META;
     m->scale[0] = '\0';
     if (m->calls->begin != NULL) m->calls->begin(m->self);
     return UM_OK;
   }
-  if (strcmp(word[0], "META_STOP") == 0) return end_meta(m, place);
-  if (strcmp(word[0], "COVARIANCE_START") == 0) *place = COVARIANCE;
-  if (*place == ROWS) return take_row(m, word, count);
-  if (strcmp(word[0], "COVARIANCE_STOP") == 0) *place = ROWS;
-  if (*place != META) return UM_OK;
+  if (strcmp(word[0], "META_STOP") == 0) return end_meta(m);
+  if (strcmp(word[0], "COVARIANCE_START") == 0) m->place = UM_ORBIT_COVARIANCE;
+  if (m->place == UM_ORBIT_ROWS) return take_row(m, word, count);
+  if (strcmp(word[0], "COVARIANCE_STOP") == 0) m->place = UM_ORBIT_ROWS;
+  if (m->place != UM_ORBIT_META) return UM_OK;
   return um_orbit_message_refuse(m, "a line between META_START and META_STOP", word[0],
                                  "KEYWORD = value");
 }
 
-enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text)
+/* --- texts ------------------------------------------------------------------------------------ */
+
+static enum um_status read_lines(struct um_orbit_message *m, char *text)
 {
-  double precession[3][3], both[3][3];
-  enum place place = HEADER;
-  eraBp06(2451545.0, 0.0, m->bias, precession, both);
-  m->has_days = strncmp(skip_blanks(text), "CIC_", 4) == 0;
-  m->last = -INFINITY;
-  if (strncmp(text, "\xEF\xBB\xBF", 3) == 0) text += 3;
+  m->has_days = strncmp(text, "CIC_", 4) == 0;
   for (char *at = text, *next; at != NULL; at = next) {
     char *end = at + strcspn(at, "\n");
     next = *end != '\0' ? end + 1 : NULL;
     *end = '\0';
     m->line++;
     if (m->line % 4096 == 0) UM_TRY(um_core_stop_check(m->context, "a message was read"));
-    UM_TRY(take_line(m, at, &place));
+    UM_TRY(take_line(m, at));
   }
+  return UM_OK;
+}
+
+/* A line of a message in XML. Each message of a file begins anew. */
+static enum um_status take_xml_line(void *self, int line, char *text)
+{
+  struct um_orbit_message *m = self;
+  m->line = line;
+  if (strncmp(text, "CCSDS_", 6) == 0) m->place = UM_ORBIT_HEADER;
+  return take_line(m, text);
+}
+
+static enum um_status read_stk(struct um_orbit_message *m, const char *text)
+{
+  char *lines = NULL;
+  int before = 0;
+  UM_TRY(um_orbit_stk_message(m->context, m->name, text, m->calls->stk, &lines, &before));
+  m->line = -before;
+  enum um_status status = read_lines(m, lines);
+  um_core_free(m->context, lines);
+  return status;
+}
+
+enum um_status um_orbit_message_read(struct um_orbit_message *m, char *text, size_t length,
+                                     bool *is)
+{
+  char *first = text + (skip_blanks(text) - text);
+  m->last = -INFINITY;
+  *is = strlen(text) == length &&
+        (is_pairs(first, m->calls->kind) || first[0] == '<' || um_orbit_stk_is(first));
+  if (!*is) return UM_OK;
+  if (first[0] == '<')
+    UM_TRY(um_orbit_ndm_read(m->context, m->name, text, length, &m->calls->form, take_xml_line, m));
+  else if (um_orbit_stk_is(first))
+    UM_TRY(read_stk(m, text));
+  else
+    UM_TRY(read_lines(m, text));
   if (m->rows >= 2) return UM_OK;
   return um_core_fail(m->context, UM_ERR_INPUT, "%s: %zu rows, at least 2 are accepted", m->name,
                       m->rows);

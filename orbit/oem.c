@@ -1,7 +1,5 @@
-/* Orbit ephemeris messages (OEM, CCSDS 502.0-B-3, section 5, and CNES's) as rows of a table.
- * EME2000 differs from GCRS by the bias of its frame,
- *
- *   r_GCRS = B^T r_EME2000   (IERS Conventions 2010, 5.6; 0.023 arcsec, 0.8 m of a low orbit). */
+/* Orbit ephemeris messages (OEM, CCSDS 502.0-B-3, section 5, and CNES's) as rows of a table. Each
+ * row is turned to GCRS at its own instant. */
 #include <math.h>
 #include <string.h>
 
@@ -14,13 +12,14 @@
 struct reader {
   struct um_orbit_table *table;
   size_t room;
-  bool framed, biased; /* of the segment: its frame was said, is EME2000 */
+  bool framed; /* the segment's frame was said */
+  enum um_orbit_frame frame;
 };
 
 static void begin(void *self)
 {
   struct reader *r = self;
-  r->framed = r->biased = false;
+  r->framed = false;
 }
 
 static enum um_status take_key(const struct um_orbit_message *m, void *self, const char *key,
@@ -30,8 +29,8 @@ static enum um_status take_key(const struct um_orbit_message *m, void *self, con
   if (strcmp(key, "CENTER_NAME") == 0 && strcmp(value, "EARTH") != 0)
     return um_orbit_message_refuse(m, key, value, "EARTH");
   if (strcmp(key, "REF_FRAME") != 0) return UM_OK;
-  r->framed = um_orbit_message_is_inertial(value, &r->biased);
-  return r->framed ? UM_OK : um_orbit_message_refuse(m, key, value, "GCRF, ICRF, EME2000");
+  r->framed = um_orbit_frame_find(value, &r->frame);
+  return r->framed ? UM_OK : um_orbit_message_refuse(m, key, value, UM_ORBIT_FRAMES);
 }
 
 static enum um_status ready(const struct um_orbit_message *m, void *self)
@@ -42,12 +41,9 @@ static enum um_status ready(const struct um_orbit_message *m, void *self)
                       m->line);
 }
 
-static struct um_vec3 in_gcrs(const struct um_orbit_message *m, bool biased, const double x[3])
+static struct um_vec3 metres(const double km[3])
 {
-  double out[3] = {x[0], x[1], x[2]};
-  for (int k = 0; k < 3 && biased; k++)
-    out[k] = m->bias[0][k] * x[0] + m->bias[1][k] * x[1] + m->bias[2][k] * x[2];
-  return um_vec3(1e3 * out[0], 1e3 * out[1], 1e3 * out[2]);
+  return um_vec3(1e3 * km[0], 1e3 * km[1], 1e3 * km[2]);
 }
 
 static enum um_status reserve(struct um_context *context, struct reader *r)
@@ -67,7 +63,7 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
   struct reader *r = self;
   struct um_orbit_table *table = r->table;
   (void)count;
-  struct um_vec3 at = in_gcrs(m, r->biased, number), v = in_gcrs(m, r->biased, number + 3);
+  struct um_vec3 at = metres(number), v = metres(number + 3);
   double distance = um_vec3_norm(at);
   if (!(distance >= UM_ORBIT_NEAREST && distance <= UM_ORBIT_FARTHEST))
     return um_core_fail(m->context, UM_ERR_INPUT,
@@ -78,6 +74,8 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
     return um_core_fail(m->context, UM_ERR_INPUT,
                         "%s:%d: the speed is %g km/s; accepted: less than light's", m->name,
                         m->line, 1e-3 * um_vec3_norm(v));
+  UM_TRY(um_orbit_message_blame(
+      m, um_orbit_frame_to_gcrs(m->context, m->orientation, r->frame, t_tai, &at, &v)));
   UM_TRY(reserve(m->context, r));
   table->t[table->n] = t_tai;
   table->r[table->n] = at;
@@ -86,6 +84,16 @@ static enum um_status take_row(const struct um_orbit_message *m, void *self, dou
 }
 
 static const struct um_orbit_message_calls calls = {
+    .kind = "OEM",
+    .stk = UM_ORBIT_STK_EPHEMERIS,
+    .form = {.message = "oem",
+             .row = "stateVector",
+             .fields = {{"X", "km"},
+                        {"Y", "km"},
+                        {"Z", "km"},
+                        {"X_DOT", "km/s"},
+                        {"Y_DOT", "km/s"},
+                        {"Z_DOT", "km/s"}}},
     .begin = begin,
     .key = take_key,
     .ready = ready,
@@ -94,11 +102,12 @@ static const struct um_orbit_message_calls calls = {
     .most = 9,
     .row_is = "a time, 3 of the place, 3 of the velocity"};
 
-enum um_status um_orbit_oem_read(struct um_context *context, const char *name, char *text,
-                                 int before, struct um_orbit_table *table)
+enum um_status um_orbit_oem_read(struct um_context *context, const char *name,
+                                 const struct um_orbit_earth_orientation *orientation, char *text,
+                                 size_t length, bool *is, struct um_orbit_table *table)
 {
   struct reader r = {.table = table};
   struct um_orbit_message m = {
-      .context = context, .name = name, .calls = &calls, .self = &r, .line = -before};
-  return um_orbit_message_read(&m, text);
+      .context = context, .name = name, .calls = &calls, .self = &r, .orientation = orientation};
+  return um_orbit_message_read(&m, text, length, is);
 }

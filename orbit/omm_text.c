@@ -1,5 +1,6 @@
-/* What mean-elements messages are written in: key = value, JSON as catalogues send it, one object
- * or a list of them, and CSV, a row a message. Keywords that no orbit needs are left alone. */
+/* What mean-elements messages are written in: key = value, XML as such lines, JSON as catalogues
+ * send it, one object or a list of them, and CSV, a row a message. Keywords that no orbit needs are
+ * left alone. */
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +10,17 @@
 #include "orbit/message_impl.h"
 #include "orbit/omm_impl.h"
 
-/* --- key = value ----------------------------------------------------------------------------- */
+#define VALUE 80 /* bytes of a value, with its end */
+
+/* --- key = value and XML ---------------------------------------------------------------------- */
+
+struct reader {
+  struct um_context *context;
+  const char *name;
+  struct um_orbit_elements *out;
+  struct um_orbit_omm omm;
+  char value[UM_ORBIT_OMM_KEYWORDS][VALUE];
+};
 
 /* A value without its unit, "98.2 [deg]". */
 static char *without_unit(char *value)
@@ -20,34 +31,58 @@ static char *without_unit(char *value)
   return value;
 }
 
+static enum um_status put(struct reader *r, int line, size_t which, const char *value)
+{
+  size_t n = strlen(value);
+  if (n >= VALUE)
+    return um_core_fail(r->context, UM_ERR_INPUT,
+                        "%s:%d: %s is longer than %d bytes; accepted: no more", r->name, line,
+                        um_orbit_omm_keyword(which), VALUE - 1);
+  UM_TRY(um_orbit_omm_put(r->context, r->name, &r->omm, which, r->value[which], line));
+  memcpy(r->value[which], value, n + 1);
+  return UM_OK;
+}
+
+static enum um_status take_line(void *self, int line, char *text)
+{
+  struct reader *r = self;
+  char *begin = text + strspn(text, " \t\r"), *key, *value;
+  if (begin[0] == '\0' || (strncmp(begin, "COMMENT", 7) == 0 && strchr(" \t\r", begin[7]) != NULL))
+    return UM_OK;
+  if (!um_orbit_message_pair(begin, &key, &value))
+    return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: '%.40s'; accepted: KEYWORD = value",
+                        r->name, line, begin);
+  value = without_unit(value);
+  if (strcmp(key, "CCSDS_OMM_VERS") == 0) {
+    if (r->omm.begin > 0) UM_TRY(um_orbit_omm_add(r->context, r->name, &r->omm, r->out));
+    r->omm = (struct um_orbit_omm){.begin = line};
+    return UM_OK;
+  }
+  size_t which = um_orbit_omm_find(key);
+  return which < UM_ORBIT_OMM_KEYWORDS ? put(r, line, which, value) : UM_OK;
+}
+
 enum um_status um_orbit_omm_kvn(struct um_context *context, const char *name, char *text,
                                 struct um_orbit_elements *out)
 {
-  struct um_orbit_omm omm = {0};
+  struct reader r = {.context = context, .name = name, .out = out};
   int line = 0;
   for (char *at = text, *next; at != NULL; at = next) {
     char *end = at + strcspn(at, "\n");
     next = *end != '\0' ? end + 1 : NULL;
-    line++;
     *end = '\0';
-    char *begin = at + strspn(at, " \t\r"), *key, *value;
-    if (begin[0] == '\0' ||
-        (strncmp(begin, "COMMENT", 7) == 0 && strchr(" \t\r", begin[7]) != NULL))
-      continue;
-    if (!um_orbit_message_pair(begin, &key, &value))
-      return um_core_fail(context, UM_ERR_INPUT, "%s:%d: '%.40s'; accepted: KEYWORD = value", name,
-                          line, begin);
-    value = without_unit(value);
-    if (strcmp(key, "CCSDS_OMM_VERS") == 0) {
-      if (omm.begin > 0) UM_TRY(um_orbit_omm_add(context, name, &omm, out));
-      omm = (struct um_orbit_omm){.begin = line};
-      continue;
-    }
-    size_t which = um_orbit_omm_find(key);
-    if (which == UM_ORBIT_OMM_KEYWORDS) continue;
-    UM_TRY(um_orbit_omm_put(context, name, &omm, which, value, line));
+    UM_TRY(take_line(&r, ++line, at));
   }
-  return um_orbit_omm_add(context, name, &omm, out);
+  return um_orbit_omm_add(context, name, &r.omm, out);
+}
+
+enum um_status um_orbit_omm_xml(struct um_context *context, const char *name, const char *bytes,
+                                size_t length, struct um_orbit_elements *out)
+{
+  static const struct um_orbit_ndm_form form = {.message = "omm"};
+  struct reader r = {.context = context, .name = name, .out = out};
+  UM_TRY(um_orbit_ndm_read(context, name, bytes, length, &form, take_line, &r));
+  return um_orbit_omm_add(context, name, &r.omm, out);
 }
 
 /* --- JSON ------------------------------------------------------------------------------------ */

@@ -63,9 +63,15 @@ static bool is(const char *word, const char *keyword) { return strcasecmp(word, 
 
 static enum um_status take_frame(struct stk *s, const char *value)
 {
-  if (!is(value, "J2000") && !is(value, "ICRF")) return refuse(s, value, "J2000, ICRF");
-  s->frame = is(value, "J2000") ? "EME2000" : "ICRF";
-  return UM_OK;
+  /* as STK calls it, and as messages do */
+  static const char *const names[][2] = {{"J2000", "EME2000"},  {"ICRF", "ICRF"},
+                                         {"Fixed", "ITRF"},     {"TEMEOfDate", "TEME"},
+                                         {"TrueOfDate", "TOD"}, {"MeanOfDate", "MOD"}};
+  s->frame = NULL;
+  for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+    if (is(value, names[k][0])) s->frame = names[k][1];
+  if (s->frame != NULL) return UM_OK;
+  return refuse(s, value, "J2000, ICRF, Fixed, TEMEOfDate, TrueOfDate, MeanOfDate");
 }
 
 /* A line before the rows: its first word, and the rest. */

@@ -154,12 +154,14 @@ enum um_status um_orbit_trajectory_create_circular(struct um_context *context, d
   return UM_OK;
 }
 
-enum um_status um_orbit_trajectory_create_table(struct um_context *context, const char *path,
-                                                struct um_orbit_trajectory **out)
+enum um_status
+um_orbit_trajectory_create_table(struct um_context *context, const char *path,
+                                 const struct um_orbit_earth_orientation *orientation,
+                                 struct um_orbit_trajectory **out)
 {
   enum um_status status;
   UM_TRY(allocate(context, TRAJECTORY_TABLE, out));
-  UM_CHECK(um_orbit_table_read(context, path, &(*out)->table));
+  UM_CHECK(um_orbit_table_read(context, path, orientation, &(*out)->table));
   (*out)->period = um_orbit_table_period(&(*out)->table);
 done:
   if (status != UM_OK) um_orbit_trajectory_destroy(out);

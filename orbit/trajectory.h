@@ -37,12 +37,15 @@ enum um_status um_orbit_trajectory_create_circular(struct um_context *context, d
                                                    double beta, double period,
                                                    struct um_orbit_trajectory **out);
 /* CSV `time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s]` in GCRS, times ascending, or an ephemeris
- * message (OEM as key = value, CCSDS 502.0-B or CIC) in GCRF, ICRF or EME2000; which, is found out.
- * Cubic Hermite (velocities by a spline when absent). Outside the table is UM_ERR_INPUT, and so
- * are, with file, line and column, positions below 6000 km or beyond 1e9 km from the geocentre and
- * speeds not below that of light. */
-enum um_status um_orbit_trajectory_create_table(struct um_context *context, const char *path,
-                                                struct um_orbit_trajectory **out);
+ * of others (OEM of CCSDS as key = value or XML, of CIC, or STK) in a frame of orbit/frames.h, to
+ * which the orientation belongs (NULL: UT1 is UTC, the pole at zero); which, is found out. Cubic
+ * Hermite (velocities by a spline when absent). Outside the table is UM_ERR_INPUT, and so are, with
+ * file, line and column, positions below 6000 km or beyond 1e9 km from the geocentre and speeds not
+ * below that of light. */
+enum um_status
+um_orbit_trajectory_create_table(struct um_context *context, const char *path,
+                                 const struct um_orbit_earth_orientation *orientation,
+                                 struct um_orbit_trajectory **out);
 /* A point fixed in GCRS [m] (velocity zero). */
 enum um_status um_orbit_trajectory_create_fixed(struct um_context *context, struct um_vec3 r_gcrs,
                                                 struct um_orbit_trajectory **out);

@@ -38,11 +38,13 @@ void um_orbit_table_clear(struct um_context *context, struct um_orbit_table *tab
 /* Read and check the CSV of um_orbit_trajectory_create_table; the caller clears the table, after an
  * error too. */
 enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   const struct um_orbit_earth_orientation *orientation,
                                    struct um_orbit_table *table);
-/* Rows of an ephemeris message into an empty table; the text is written into. before: its lines
- * that the file has not. UM_ERR_INPUT naming `name`, line and what is accepted. */
-enum um_status um_orbit_oem_read(struct um_context *context, const char *name, char *text,
-                                 int before, struct um_orbit_table *table);
+/* Rows of an ephemeris message into an empty table, as um_orbit_message_read has it; orientation:
+ * of frames that turn, NULL: zero. UM_ERR_INPUT naming `name`, line and what is accepted. */
+enum um_status um_orbit_oem_read(struct um_context *context, const char *name,
+                                 const struct um_orbit_earth_orientation *orientation, char *text,
+                                 size_t length, bool *is, struct um_orbit_table *table);
 /* Period of the osculating ellipse in the first row [s]; NaN when it is open. */
 double um_orbit_table_period(const struct um_orbit_table *table);
 

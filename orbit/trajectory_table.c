@@ -9,8 +9,6 @@
 #include "base/core/constants.h"
 #include "base/core/file.h"
 #include "base/core/interpolation.h"
-#include "orbit/message_impl.h"
-#include "orbit/stk_impl.h"
 #include "orbit/time_column_impl.h"
 #include "orbit/trajectory_impl.h"
 
@@ -195,33 +193,17 @@ done:
   return status;
 }
 
-static enum um_status read_stk(struct um_context *context, const char *text,
-                               struct um_orbit_table *table)
-{
-  char *message = NULL;
-  int before = 0;
-  UM_TRY(
-      um_orbit_stk_message(context, table->path, text, UM_ORBIT_STK_EPHEMERIS, &message, &before));
-  enum um_status status = um_orbit_oem_read(context, table->path, message, before, table);
-  um_core_free(context, message);
-  return status;
-}
-
 enum um_status um_orbit_table_read(struct um_context *context, const char *path,
+                                   const struct um_orbit_earth_orientation *orientation,
                                    struct um_orbit_table *table)
 {
   char *text = NULL;
   size_t length;
   UM_TRY(um_core_strdup(context, path, &table->path));
   UM_TRY(um_core_file_read(context, path, BYTES, &text, &length));
-  bool is_text = strlen(text) == length;
-  enum um_status status;
-  if (is_text && um_orbit_message_is(text, "OEM"))
-    status = um_orbit_oem_read(context, path, text, 0, table);
-  else if (is_text && um_orbit_stk_is(text))
-    status = read_stk(context, text, table);
-  else
-    status = read_columns(context, path, text, length, table);
+  bool is;
+  enum um_status status = um_orbit_oem_read(context, path, orientation, text, length, &is, table);
+  if (status == UM_OK && !is) status = read_columns(context, path, text, length, table);
   um_core_free(context, text);
   return status;
 }

@@ -10,6 +10,7 @@
 #include "base/core/csv.h"
 #include "base/core/number.h"
 #include "evidence/measurements/foreign_kind.h"
+#include "evidence/measurements/foreign_line.h"
 #include "orbit/time.h"
 
 #define COLUMNS 80
@@ -66,18 +67,10 @@ static double with_point(const char *digits, int before)
 }
 
 struct reader {
-  struct um_context *context;
-  const char *path;
-  int line;
+  struct um_compare_foreign_at at;
   char object[6];
   size_t magnitudes;
 };
-
-static enum um_status refuse(const struct reader *r, const char *what, const char *accepted)
-{
-  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: '%.60s'; accepted: %s", r->path, r->line,
-                      what, accepted);
-}
 
 static enum um_status put_time(const struct reader *r, const struct line *line, FILE *csv)
 {
@@ -85,11 +78,13 @@ static enum um_status put_time(const struct reader *r, const struct line *line, 
   double t;
   const char *d = line->text + 23;
   field(line, 32, 40, clock);
-  if (!is_digits(clock, 4)) return refuse(r, clock, "HHMMSSsss in columns 32 to 40, HHMM at least");
+  if (!is_digits(clock, 4))
+    return um_compare_foreign_refuse(&r->at, clock, "HHMMSSsss in columns 32 to 40, HHMM at least");
   memset(clock + strlen(clock), '0', COLUMNS - strlen(clock));
   snprintf(text, sizeof text, "%.4s-%.2s-%.2sT%.2s:%.2s:%.2s.%.3s", d, d + 4, d + 6, clock,
            clock + 2, clock + 4, clock + 6);
-  if (!um_orbit_time_parse_hook(text, &t, why, sizeof why)) return refuse(r, text, why);
+  if (!um_orbit_time_parse_hook(text, &t, why, sizeof why))
+    return um_compare_foreign_refuse(&r->at, text, why);
   um_orbit_time_format(t, utc);
   fputs(utc, csv);
   return UM_OK;
@@ -101,9 +96,9 @@ static enum um_status take_object(struct reader *r, const struct line *line)
   field(line, 1, 5, object);
   if (r->object[0] == '\0') memcpy(r->object, object, 6);
   if (strcmp(r->object, object) == 0) return UM_OK;
-  return um_core_fail(r->context, UM_ERR_INPUT,
+  return um_core_fail(r->at.context, UM_ERR_INPUT,
                       "%s:%d: object '%s' after '%s'; accepted: observations of one object",
-                      r->path, r->line, object, r->object);
+                      r->at.path, r->at.line, object, r->object);
 }
 
 static enum um_status take_observation(struct reader *r, const struct line *line, FILE *csv)
@@ -116,8 +111,10 @@ static enum um_status take_observation(struct reader *r, const struct line *line
   memcpy(period, line->text + 74, 6);
   period[6] = '\0';
   if (!is_digits(magnitude, 2))
-    return refuse(r, magnitude, "a magnitude MMm in columns 68 to 70, '070' for 7.0");
-  if (!is_digits(sigma, 0)) return refuse(r, sigma, "an uncertainty Mm in columns 72 and 73");
+    return um_compare_foreign_refuse(&r->at, magnitude,
+                                     "a magnitude MMm in columns 68 to 70, '070' for 7.0");
+  if (!is_digits(sigma, 0))
+    return um_compare_foreign_refuse(&r->at, sigma, "an uncertainty Mm in columns 72 and 73");
   UM_TRY(take_object(r, line));
   UM_TRY(put_time(r, line, csv));
   um_core_csv_put_number(csv, (sign == '-' ? -1.0 : 1.0) * with_point(magnitude, 2));
@@ -150,11 +147,11 @@ static bool line_next(const char *bytes, size_t length, size_t *at, struct line 
 static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
                               size_t length, FILE *csv)
 {
-  struct reader r = {.context = context, .path = path};
+  struct reader r = {.at = {context, path, 0}};
   struct line line;
   fputs("time_utc,MAG,MAG_sigma,flash_period_s,station\n", csv);
   for (size_t at = 0; line_next(bytes, length, &at, &line);) {
-    if (++r.line % 4096 == 0) UM_TRY(um_core_stop_check(context, "observations were read"));
+    if (++r.at.line % 4096 == 0) UM_TRY(um_core_stop_check(context, "observations were read"));
     if (is_observation(&line)) UM_TRY(take_observation(&r, &line, csv));
     fputc('\n', csv);
   }

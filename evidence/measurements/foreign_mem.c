@@ -7,32 +7,17 @@
 #include "base/core/csv.h"
 #include "base/core/number.h"
 #include "evidence/measurements/foreign_kind.h"
+#include "evidence/measurements/foreign_line.h"
 #include "orbit/time.h"
 
 #define VALUES_MAX 256 /* values of a row */
 
 struct message {
-  struct um_context *context;
-  const char *path;
-  int line;
+  struct um_compare_foreign_at at;
   bool meta, rows;
   char content[64], unit[32], scale[16];
   size_t size; /* values of a row; 0: as many as the first has */
 };
-
-static enum um_status refuse(const struct message *m, const char *what, const char *accepted)
-{
-  return um_core_fail(m->context, UM_ERR_INPUT, "%s:%d: '%.60s'; accepted: %s", m->path, m->line,
-                      what, accepted);
-}
-
-static char *trimmed(char *text)
-{
-  text += strspn(text, " \t\r");
-  size_t n = strlen(text);
-  while (n > 0 && strchr(" \t\r", text[n - 1]) != NULL) text[--n] = '\0';
-  return text;
-}
 
 /* The next word of a row, or the text between two quotation marks; NULL behind the last. */
 static char *word_next(char **at)
@@ -50,12 +35,12 @@ static char *word_next(char **at)
 static enum um_status take_text(struct message *m, const char *key, const char *value, char *to,
                                 size_t room)
 {
-  if (strlen(value) >= room) return refuse(m, value, "a shorter text");
+  if (strlen(value) >= room) return um_compare_foreign_refuse(&m->at, value, "a shorter text");
   if (to[0] != '\0' && strcmp(to, value) != 0)
-    return um_core_fail(m->context, UM_ERR_INPUT,
+    return um_core_fail(m->at.context, UM_ERR_INPUT,
                         "%s:%d: %s: '%s' in one segment, '%s' in another; accepted: files of one "
                         "quantity",
-                        m->path, m->line, key, to, value);
+                        m->at.path, m->at.line, key, to, value);
   memcpy(to, value, strlen(value) + 1);
   return UM_OK;
 }
@@ -68,12 +53,14 @@ static enum um_status take_key(struct message *m, const char *key, const char *v
   if (strcmp(key, "USER_DEFINED_UNIT") == 0)
     return take_text(m, key, value, m->unit, sizeof m->unit);
   if (strcmp(key, "TIME_SYSTEM") == 0)
-    return um_orbit_time_scale_is_known(value) ? take_text(m, key, value, m->scale, sizeof m->scale)
-                                               : refuse(m, value, "UTC, TAI, TT, GPS");
+    return um_orbit_time_scale_is_known(value)
+               ? take_text(m, key, value, m->scale, sizeof m->scale)
+               : um_compare_foreign_refuse(&m->at, value, "UTC, TAI, TT, GPS");
   if (strcmp(key, "USER_DEFINED_SIZE") != 0) return UM_OK;
   if (!um_core_number_parse(value, &size) || !(size >= 1.0 && size <= VALUES_MAX) ||
       size != (double)(size_t)size || (m->size != 0 && m->size != (size_t)size))
-    return refuse(m, value, "values of a row, 1 to 256, the same in each segment");
+    return um_compare_foreign_refuse(&m->at, value,
+                                     "values of a row, 1 to 256, the same in each segment");
   m->size = (size_t)size;
   return UM_OK;
 }
@@ -86,37 +73,40 @@ static enum um_status take_row(struct message *m, char *text, FILE *csv)
   if (second == NULL || !um_core_number_parse(word, &day) ||
       !um_core_number_parse(second, &seconds) ||
       !um_orbit_time_from_mjd(day, seconds, m->scale, &t))
-    return refuse(m, word, "a modified Julian day and seconds of it, 57652 73862.0");
+    return um_compare_foreign_refuse(&m->at, word,
+                                     "a modified Julian day and seconds of it, 57652 73862.0");
   um_orbit_time_format(t, utc);
   if (csv != NULL) fputs(utc, csv);
   for (; (word = word_next(&text)) != NULL; n++)
     if (csv != NULL) um_core_csv_put_text(csv, word, "");
   if (m->size == 0 && n <= VALUES_MAX) m->size = n;
   if (n != 0 && n == m->size) return UM_OK;
-  return um_core_fail(m->context, UM_ERR_INPUT,
+  return um_core_fail(m->at.context, UM_ERR_INPUT,
                       "%s:%d: %zu values; accepted: %zu, as USER_DEFINED_SIZE or the first row has",
-                      m->path, m->line, n, m->size);
+                      m->at.path, m->at.line, n, m->size);
 }
 
 static enum um_status take_line(struct message *m, char *line, FILE *csv)
 {
-  char *text = trimmed(line), *equals = strchr(text, '=');
+  char *text = um_compare_foreign_trimmed(line), *equals = strchr(text, '=');
   if (text[0] == '\0' || strncmp(text, "COMMENT", 7) == 0) return UM_OK;
   if (strcmp(text, "META_START") == 0) {
     m->meta = true;
     m->rows = false;
   } else if (strcmp(text, "META_STOP") == 0) {
     if (m->content[0] == '\0' || m->scale[0] == '\0')
-      return refuse(m, text, "USER_DEFINED_CONTENT and TIME_SYSTEM before it");
+      return um_compare_foreign_refuse(&m->at, text,
+                                       "USER_DEFINED_CONTENT and TIME_SYSTEM before it");
     m->meta = false;
     m->rows = true;
   } else if (m->rows) {
     return take_row(m, text, csv);
   } else if (equals == NULL) {
-    return refuse(m, text, m->meta ? "KEYWORD = value" : "META_START before rows");
+    return um_compare_foreign_refuse(&m->at, text,
+                                     m->meta ? "KEYWORD = value" : "META_START before rows");
   } else if (m->meta) {
     *equals = '\0';
-    return take_key(m, trimmed(text), trimmed(equals + 1));
+    return take_key(m, um_compare_foreign_trimmed(text), um_compare_foreign_trimmed(equals + 1));
   }
   return UM_OK;
 }
@@ -139,28 +129,25 @@ static void put_names(const struct message *m, FILE *csv)
 /* Reads the lines of `text`, which is written into. csv: NULL, to look for names alone. */
 static enum um_status read_lines(struct message *m, char *text, FILE *csv)
 {
-  m->line = 0;
+  m->at.line = 0;
   m->meta = m->rows = false;
-  for (char *at = text, *next; at != NULL; at = next) {
-    char *end = at + strcspn(at, "\n");
-    next = *end != '\0' && end[1] != '\0' ? end + 1 : NULL;
-    *end = '\0';
-    if (++m->line % 4096 == 0) UM_TRY(um_core_stop_check(m->context, "a message was read"));
-    if (m->line == 1 && csv != NULL) put_names(m, csv); /* where the version stands */
-    if (m->line > 1) UM_TRY(take_line(m, at, csv));
+  for (char *line; (line = um_compare_foreign_line(&m->at, &text)) != NULL;) {
+    if (m->at.line % 4096 == 0) UM_TRY(um_core_stop_check(m->at.context, "a message was read"));
+    if (m->at.line == 1 && csv != NULL) put_names(m, csv); /* where the version stands */
+    if (m->at.line > 1) UM_TRY(take_line(m, line, csv));
     if (csv != NULL) fputc('\n', csv);
   }
   if (m->rows && m->size > 0) return UM_OK;
-  return um_core_fail(m->context, UM_ERR_INPUT,
-                      "%s:%d: no rows behind META_STOP: the file may be cut short", m->path,
-                      m->line);
+  return um_core_fail(m->at.context, UM_ERR_INPUT,
+                      "%s:%d: no rows behind META_STOP: the file may be cut short", m->at.path,
+                      m->at.line);
 }
 
 static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
                               size_t length, FILE *csv)
 {
   enum um_status status = UM_OK;
-  struct message m = {.context = context, .path = path};
+  struct message m = {.at = {context, path, 0}};
   char *text = NULL;
   UM_TRY(um_core_allocate(context, length + 1, 1, &text));
   memcpy(text, bytes, length);

@@ -1,36 +1,25 @@
-/* Tracking data messages (TDM, CCSDS 503.0-B) as key = value: what they say of magnitudes, a row
- * each, `time_utc,track,MAG`. A segment is a track. Angles, ranges and the rest are passed over. */
+/* Tracking data messages (TDM, CCSDS 503.0-B) as key = value or XML: what they say of magnitudes, a
+ * row each, `time_utc,track,MAG`. A segment is a track. Angles, ranges and the rest are passed
+ * over. */
 #include <math.h>
 #include <string.h>
 
 #include "base/core/csv.h"
 #include "base/core/number.h"
 #include "evidence/measurements/foreign_kind.h"
+#include "evidence/measurements/foreign_line.h"
+#include "orbit/ndm.h"
 #include "orbit/time.h"
 
 struct reader {
-  struct um_context *context;
-  const char *path;
+  struct um_compare_foreign_at at;
   FILE *csv;
-  int line, segment;
+  int segment;
+  int written; /* line of the table; in XML */
   bool meta, data;
   size_t magnitudes;
   char scale[16];
 };
-
-static enum um_status refuse(const struct reader *r, const char *what, const char *accepted)
-{
-  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: '%.60s'; accepted: %s", r->path, r->line,
-                      what, accepted);
-}
-
-static char *trimmed(char *text)
-{
-  text += strspn(text, " \t\r");
-  size_t n = strlen(text);
-  while (n > 0 && strchr(" \t\r", text[n - 1]) != NULL) text[--n] = '\0';
-  return text;
-}
 
 /* "MAG = 2016-09-21T20:33:00 7.5": the text behind the '='. */
 static enum um_status magnitude(struct reader *r, char *value)
@@ -38,12 +27,13 @@ static enum um_status magnitude(struct reader *r, char *value)
   char accepted[200], utc[32], number[32];
   char *space = value + strcspn(value, " \t");
   double t, magnitude;
-  if (*space == '\0') return refuse(r, value, "a time and a magnitude");
+  if (*space == '\0') return um_compare_foreign_refuse(&r->at, value, "a time and a magnitude");
   *space = '\0';
   if (!um_orbit_time_parse_message(value, r->scale, &t, accepted, sizeof accepted))
-    return refuse(r, value, accepted);
-  const char *text = trimmed(space + 1);
-  if (!um_core_number_parse(text, &magnitude)) return refuse(r, text, "a magnitude");
+    return um_compare_foreign_refuse(&r->at, value, accepted);
+  const char *text = um_compare_foreign_trimmed(space + 1);
+  if (!um_core_number_parse(text, &magnitude))
+    return um_compare_foreign_refuse(&r->at, text, "a magnitude");
   um_orbit_time_format(t, utc);
   um_core_number_text(magnitude, number);
   fprintf(r->csv, "%s,%d,%s", utc, r->segment, number);
@@ -54,7 +44,8 @@ static enum um_status magnitude(struct reader *r, char *value)
 static enum um_status take_pair(struct reader *r, const char *key, char *value)
 {
   if (r->meta && strcmp(key, "TIME_SYSTEM") == 0) {
-    if (!um_orbit_time_scale_is_known(value)) return refuse(r, value, "UTC, TAI, TT, GPS");
+    if (!um_orbit_time_scale_is_known(value))
+      return um_compare_foreign_refuse(&r->at, value, "UTC, TAI, TT, GPS");
     snprintf(r->scale, sizeof r->scale, "%s", value);
   }
   return r->data && strcmp(key, "MAG") == 0 ? magnitude(r, value) : UM_OK;
@@ -62,7 +53,7 @@ static enum um_status take_pair(struct reader *r, const char *key, char *value)
 
 static enum um_status take_line(struct reader *r, char *line)
 {
-  char *text = trimmed(line), *equals = strchr(text, '=');
+  char *text = um_compare_foreign_trimmed(line), *equals = strchr(text, '=');
   if (strcmp(text, "META_START") == 0) {
     r->segment++;
     r->meta = true;
@@ -70,39 +61,64 @@ static enum um_status take_line(struct reader *r, char *line)
   } else if (strcmp(text, "META_STOP") == 0) {
     r->meta = false;
     if (r->scale[0] == '\0')
-      return refuse(r, text, "TIME_SYSTEM before it, one of UTC, TAI, TT, GPS");
+      return um_compare_foreign_refuse(&r->at, text,
+                                       "TIME_SYSTEM before it, one of UTC, TAI, TT, GPS");
   } else if (strcmp(text, "DATA_START") == 0 || strcmp(text, "DATA_STOP") == 0) {
     r->data = text[6] == 'T' && text[7] == 'A';
-    if (r->data && r->segment == 0) return refuse(r, text, "META_START before it");
+    if (r->data && r->segment == 0)
+      return um_compare_foreign_refuse(&r->at, text, "META_START before it");
   } else if (text[0] != '\0' && strncmp(text, "COMMENT", 7) != 0) {
-    if (equals == NULL) return refuse(r, text, "KEYWORD = value");
+    if (equals == NULL) return um_compare_foreign_refuse(&r->at, text, "KEYWORD = value");
     *equals = '\0';
-    return take_pair(r, trimmed(text), trimmed(equals + 1));
+    return take_pair(r, um_compare_foreign_trimmed(text), um_compare_foreign_trimmed(equals + 1));
   }
   return UM_OK;
 }
 
+static enum um_status read_lines(struct reader *r, char *text)
+{
+  for (char *line; (line = um_compare_foreign_line(&r->at, &text)) != NULL;) {
+    if (r->at.line > 1) UM_TRY(take_line(r, line)); /* behind the version */
+    fputc('\n', r->csv);
+  }
+  if (!r->data) return UM_OK;
+  return um_core_fail(r->at.context, UM_ERR_INPUT,
+                      "%s:%d: DATA_STOP is missing: the file may be cut short", r->at.path,
+                      r->at.line);
+}
+
+/* A line of a message in XML: its row stands in that line of the table where there is room. */
+static enum um_status take_xml_line(void *self, int line, char *text)
+{
+  struct reader *r = self;
+  size_t before = r->magnitudes;
+  r->at.line = line;
+  for (; r->written < line; r->written++) fputc('\n', r->csv);
+  UM_TRY(take_line(r, text));
+  if (r->magnitudes == before) return UM_OK;
+  fputc('\n', r->csv);
+  r->written++;
+  return UM_OK;
+}
+
+static bool is_xml(const char *bytes) { return um_orbit_ndm_is(bytes, "tdm"); }
+
 static enum um_status convert(struct um_context *context, const char *path, const char *bytes,
                               size_t length, FILE *csv)
 {
-  enum um_status status = UM_OK;
-  struct reader r = {.context = context, .path = path, .csv = csv};
+  static const struct um_orbit_ndm_form form = {.message = "tdm", .row = "observation"};
+  enum um_status status;
+  struct reader r = {.at = {context, path, 0}, .csv = csv, .written = 2};
   char *text = NULL;
   UM_TRY(um_core_allocate(context, length + 1, 1, &text));
   memcpy(text, bytes, length);
-  for (char *at = text, *next; status == UM_OK && at != NULL; at = next) {
-    char *end = at + strcspn(at, "\n");
-    next = *end != '\0' && end[1] != '\0' ? end + 1 : NULL;
-    *end = '\0';
-    if (++r.line == 1)
-      fputs("time_utc,track,MAG", csv); /* where the version stands */
-    else
-      status = take_line(&r, at);
+  fputs("time_utc,track,MAG", csv);
+  if (is_xml(text)) {
     fputc('\n', csv);
+    status = um_orbit_ndm_read(context, path, text, length, &form, take_xml_line, &r);
+  } else {
+    status = read_lines(&r, text);
   }
-  if (status == UM_OK && r.data)
-    status = um_core_fail(context, UM_ERR_INPUT,
-                          "%s:%d: DATA_STOP is missing: the file may be cut short", path, r.line);
   if (status == UM_OK && r.magnitudes == 0)
     status = um_core_fail(context, UM_ERR_INPUT,
                           "%s: this TDM has no magnitudes; accepted: MAG rows, of which "
@@ -115,7 +131,7 @@ static enum um_status convert(struct um_context *context, const char *path, cons
 static bool is(const char *bytes, size_t length)
 {
   static const char mark[] = "CCSDS_TDM_VERS";
-  return length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0;
+  return (length > sizeof mark && strncmp(bytes, mark, sizeof mark - 1) == 0) || is_xml(bytes);
 }
 
 const struct um_compare_foreign_kind um_compare_foreign_tdm = {is, convert};

@@ -140,6 +140,7 @@ static enum um_status law_of(struct um_context *context, struct um_model *model,
   if (from->tumble != NULL) return law_of_tumble(context, model, from->tumble, law);
   law->kind = UM_ATTITUDE_TABLE;
   law->max_gap = from->table->max_gap_s;
+  law->orientation = &model->orientation;
   return um_model_resolve(context, model, &from->table->at, from->table->file, &law->table_path);
 }
 

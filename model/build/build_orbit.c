@@ -18,7 +18,8 @@ static enum um_status build_orientation(struct um_context *context, struct um_mo
   if (from == NULL) {
     /* |UT1-UTC| < 0.9 s turns the Earth by at most 13.5 arcsec, 420 m at the equator */
     um_core_log(context, UM_LOG_INFO,
-                "Earth orientation not given, UT1-UTC and pole taken as zero: stations are off by "
+                "Earth orientation not given, UT1-UTC and pole taken as zero: stations, and tables "
+                "in a frame of the Earth, are off by "
                 "up to 0.4 km along the parallel (0.06 s of a low orbit) and 20 m by the pole");
     return UM_OK;
   }
@@ -144,7 +145,7 @@ static enum um_status build_trajectory(struct um_context *context, struct um_mod
   }
   if (orbit->table != NULL) {
     UM_TRY(um_model_resolve(context, model, &orbit->at, orbit->table, &path));
-    return um_orbit_trajectory_create_table(context, path, &model->trajectory);
+    return um_orbit_trajectory_create_table(context, path, &model->orientation, &model->trajectory);
   }
   if (orbit->points != NULL) return um_orbit_trajectory_create_none(context, &model->trajectory);
   const double *p = orbit->fixed->position_gcrs_km;
@@ -179,9 +180,9 @@ static enum um_status build_observer(struct um_context *context, struct um_model
   } else {
     const char *path = NULL;
     UM_TRY(um_model_resolve(context, model, &moving->at, moving->table, &path));
-    UM_TRY(um_model_blame(
-        context, &moving->at, "table",
-        um_orbit_trajectory_create_table(context, path, &model->observer_trajectory)));
+    UM_TRY(um_model_blame(context, &moving->at, "table",
+                          um_orbit_trajectory_create_table(context, path, &model->orientation,
+                                                           &model->observer_trajectory)));
   }
   to->trajectory = model->observer_trajectory;
   return UM_OK;

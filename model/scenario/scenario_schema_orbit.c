@@ -94,7 +94,7 @@ static const struct um_schema_field orbit_fields[] = {
     F(circular, UM_SCHEMA_MAP, .object = &circular_object, .alternative = 1),
     F(table, UM_SCHEMA_TEXT, NAMES_FILE, .alternative = 1,
       HELP("CSV time_utc,x_km,y_km,z_km[,vx_km_s,vy_km_s,vz_km_s] in GCRS, or an ephemeris "
-           "message (OEM)")),
+           "message (OEM) or a file of STK, which say their frame")),
     F(fixed, UM_SCHEMA_MAP, .object = &fixed_point_object, .alternative = 1),
     F(points, UM_SCHEMA_MAP, .object = &points_object, .alternative = 1),
     F(earth_orientation, UM_SCHEMA_MAP, .object = &orientation_object),
@@ -220,7 +220,8 @@ OBJECT(slew_object, struct um_scenario_slew, "slew",
 #define OF struct um_scenario_attitude_table
 static const struct um_schema_field attitude_table_fields[] = {
     F(file, UM_SCHEMA_TEXT, REQUIRED, NAMES_FILE,
-      HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body, or an attitude message (AEM)")),
+      HELP("CSV time_utc,q0,q1,q2,q3 GCRS to body, or an attitude message (AEM) or a "
+           "file of STK")),
     F(max_gap_s, UM_SCHEMA_NUMBER, DEFAULT(0.0), BETWEEN(0, 1e7),
       HELP("longest step that is interpolated; 0: ten times the median")),
 };

@@ -8,7 +8,7 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
 {
   struct um_orbit_trajectory *table = NULL;
   const char *path = um_fuzz_file(0, data, size);
-  if (!um_fuzz_good(context, um_orbit_trajectory_create_table(context, path, &table))) {
+  if (!um_fuzz_good(context, um_orbit_trajectory_create_table(context, path, NULL, &table))) {
     if (table != NULL) um_fuzz_finding("an orbit in spite of the failure");
     return;
   }

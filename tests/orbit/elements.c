@@ -153,6 +153,8 @@ static void nearest_in_time(void **state)
 
 #define ACCEPTED "two-line elements, mean-elements messages (OMM) as key = value, XML, JSON or CSV"
 
+#define LONG "0123456789012345678901234567890123456789012345678"
+
 static void refusals(void **state)
 {
   struct um_context *context = *state;
@@ -165,14 +167,17 @@ static void refusals(void **state)
        "sets: TLE: line 1 is missing; two lines that begin with '1 ' and '2 ', with or without a "
        "name line before them, are accepted"},
       {"[]", 0, "sets: no element set; accepted: one or more"},
-      {"<?xml version=\"1.0\"?><ndm/>", 0, "sets: no element set; accepted: one or more"},
+      {"<?xml version=\"1.0\"?><ndm/>", 0,
+       "sets: no element omm; accepted: navigation messages (NDM/XML) with one"},
       {XML_HEAD XML_SET, 0, "sets:7: not XML as it should be: no element found"},
       {XML_HEAD "<REF_FRAME>GCRF</REF_FRAME>" XML_SET XML_TAIL, 0,
        "sets:4: REF_FRAME stands in line 3 already"},
       {XML_HEAD "<TIME_SYSTEM>UT1</TIME_SYSTEM>" XML_SET XML_TAIL, 0,
        "sets:4: TIME_SYSTEM: 'UT1'; accepted: UTC"},
       {"<!DOCTYPE x [<!ENTITY a \"b\">]>\n" XML_HEAD XML_SET XML_TAIL, 0,
-       "sets:1: a document type; accepted: mean-elements messages without"},
+       "sets:1: a document type; accepted: navigation messages without"},
+      {XML_HEAD "<OBJECT_ID>" LONG LONG "</OBJECT_ID>", 0,
+       "sets:4: OBJECT_ID is longer than 79 bytes; accepted: no more"},
       {XML_HEAD XML_TAIL, 0, "sets:4: not XML as it should be: mismatched tag"},
       {"CCSDS_OEM_VERS = 2.0\n", 0, "sets: another message, CCSDS_OEM_VERS; accepted: " ACCEPTED},
       {DAY_250 GOES_LINES, 0,

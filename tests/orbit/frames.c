@@ -31,6 +31,67 @@ static void vallado_case(void **state)
   assert_vec_near(um_mat3_apply(e, um_mat3_apply(m, r_teme)), r, 1e-6);
 }
 
+/* A state of one frame stands in GCRS where that of another one does. */
+static void expect_state(struct um_context *context, const char *name, struct um_vec3 r,
+                         struct um_vec3 v, struct um_vec3 r_gcrs, struct um_vec3 v_gcrs,
+                         double metres, double metres_per_second)
+{
+  enum um_orbit_frame frame;
+  double t = utc(context, vallado_utc);
+  assert_true(um_orbit_frame_find(name, &frame));
+  assert_ok(context, um_orbit_frame_to_gcrs(context, &vallado, frame, t, &r, &v));
+  assert_vec_near(r, r_gcrs, metres);
+  assert_vec_near(v, v_gcrs, metres_per_second);
+}
+
+/* Vallado 2013, example 3-15 (the same instant): ITRF and GCRS by IAU 2006/2000A. Its dates are one
+ * double, 40 us of the Earth's turn, hence 2 cm; its velocity has LOD 1.5563 ms, which is taken as
+ * 0 here: 1.8e-8 omega r = 10 um/s. astropy 8.0 of the same ITRF and TEME, with this UT1 and pole,
+ * has dates of two doubles: 0.1 mm; its velocities, differences of two states, have the pole's
+ * precession in them, 20 arcsec a year of 8000 km: 30 um/s. J2000, MOD and TOD by IAU 1976/1980
+ * without corrections stand in AIAA 2006-6753: that they are one state needs no UT1, 1 mm are the
+ * digits printed of J2000 and the terms of nutation. */
+static void frames_of_others(void **state)
+{
+  struct um_context *context = *state;
+  const struct um_vec3 r_itrf = {-1033479.3830, 7901295.2754, 6380356.5958};
+  const struct um_vec3 v_itrf = {-3225.636520, -2872.451450, 5531.924446};
+  const struct um_vec3 r_teme = {5094180.16210, 6127644.65950, 6380344.53270};
+  const struct um_vec3 v_teme = {-4746.131487, 785.818041, 5531.931288};
+  expect_state(context, "ITRF2014", r_itrf, v_itrf,
+               um_vec3(5102508.9579, 6123011.4038, 6378136.9282),
+               um_vec3(-4743.220157, 790.536497, 5533.755727), 0.02, 3e-5);
+  expect_state(context, "ITRF", r_itrf, v_itrf,
+               um_vec3(5102508.965812, 6123011.397148, 6378136.925304),
+               um_vec3(-4743.220136967, 790.536500136, 5533.755741138), 1e-4, 5e-5);
+  expect_state(context, "TEME", r_teme, v_teme,
+               um_vec3(5102508.959215, 6123011.402634, 6378136.925257),
+               um_vec3(-4743.220080879, 790.536473988, 5533.755741417), 1e-4, 2e-4);
+  struct um_vec3 j = {5102509.6000, 6123011.5200, 6378136.3000};
+  struct um_vec3 w = {-4743.219600, 790.536600, 5533.756190};
+  assert_ok(context, um_orbit_frame_to_gcrs(context, &vallado, UM_ORBIT_FRAME_EME2000,
+                                            utc(context, vallado_utc), &j, &w));
+  expect_state(context, "MOD", um_vec3(5094029.0167, 6127870.9363, 6380247.8885),
+               um_vec3(-4746.262495, 786.014149, 5531.791025), j, w, 1e-3, 1e-5);
+  expect_state(context, "TOD", um_vec3(5094514.7804, 6127366.4612, 6380344.5328),
+               um_vec3(-4746.088567, 786.077222, 5531.931288), j, w, 1e-3, 1e-5);
+}
+
+static void names(void **state)
+{
+  (void)state;
+  static const char *const known[] = {"GCRF", "GCRF3",      "ICRF",      "EME2000",  "J2000",
+                                      "ITRF", "ITRF-93",    "ITRF2020",  "TEME",     "TOD",
+                                      "MOD",  "TEMEOFDATE", "TOD_EARTH", "MOD_EARTH"};
+  static const char *const unknown[] = {"",     "GTOD", "PEF",      "TDR",      "ITRF-",
+                                        "itrf", "TOD2", "ITRF20X4", "EME20001", "WGS84"};
+  enum um_orbit_frame frame;
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    if (!um_orbit_frame_find(known[k], &frame)) fail_msg("%s is not known", known[k]);
+  for (size_t k = 0; k < sizeof unknown / sizeof *unknown; k++)
+    if (um_orbit_frame_find(unknown[k], &frame)) fail_msg("%s is known", unknown[k]);
+}
+
 static void rotations(void **state)
 {
   struct um_context *context = *state;
@@ -155,6 +216,8 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(vallado_case, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(frames_of_others, context_setup, context_teardown),
+      cmocka_unit_test(names),
       cmocka_unit_test_setup_teardown(rotations, context_setup, context_teardown),
       cmocka_unit_test(geodesy),
       cmocka_unit_test_setup_teardown(finals_table, context_setup, context_teardown),

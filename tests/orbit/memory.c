@@ -31,7 +31,7 @@ static enum um_status everything(struct um_context *context, const struct paths 
                          "2 27386  98.2753 301.2152 0001254  82.1013 278.0311 14.37874790760345\n",
                          1, &elements));
   UM_CHECK(um_orbit_trajectory_create_tle(context, &elements, &eop, &tle));
-  UM_CHECK(um_orbit_trajectory_create_table(context, paths->orbit, &table));
+  UM_CHECK(um_orbit_trajectory_create_table(context, paths->orbit, NULL, &table));
   UM_CHECK(um_orbit_attitude_create(context, &law, 1, &attitude));
   UM_CHECK(um_orbit_passes_find(context, &station, tle, elements.epoch_tai,
                                 elements.epoch_tai + 3000.0, -1.0, &passes, &count));

@@ -16,7 +16,7 @@ static struct um_orbit_trajectory *read(struct um_context *context, const char *
   struct um_orbit_trajectory *orbit = NULL;
   char path[256];
   scratch_write("oem", text, path);
-  enum um_status status = um_orbit_trajectory_create_table(context, path, &orbit);
+  enum um_status status = um_orbit_trajectory_create_table(context, path, NULL, &orbit);
   remove(path);
   if (status != UM_OK) fail_msg("%s", um_core_message(context));
   return orbit;
@@ -93,14 +93,153 @@ static void segments(void **state)
   um_orbit_trajectory_destroy(&orbit);
 }
 
+static const struct um_orbit_earth_orientation eop = {
+    .ut1_utc = -0.2678, .xp = 0.2366 * UM_ARCSEC, .yp = 0.3513 * UM_ARCSEC};
+
+#define OEM  "<oem id=\"CCSDS_OEM_VERS\" version=\"2.0\">"
+#define BODY "<header><CREATION_DATE>2016-265T00:00:00</CREATION_DATE></header>\n<body>\n"
+#define XML_META(frame, scale)                                                                     \
+  "<segment><metadata>\n<COMMENT>a = b</COMMENT><CENTER_NAME> "                                    \
+  "EARTH\n</CENTER_NAME><REF_FRAME>" frame "</REF_FRAME>\n<TIME_SYSTEM>" scale                     \
+  "</TIME_SYSTEM></metadata>\n<data>\n"
+#define XML_1                                                                                      \
+  "<stateVector><EPOCH>2016-09-21T20:31:00.000</EPOCH>\n<X units=\"km\">7000.0</X><Y>1.0</Y>"      \
+  "<Z>-2.5</Z>\n<X_DOT units=\"km/s\">0.5</X_DOT><Y_DOT>7.5</Y_DOT><Z_DOT>-0.25</Z_DOT>"           \
+  "</stateVector>\n"
+#define XML_2                                                                                      \
+  "<stateVector><EPOCH>2016-265T20:32:00.500</EPOCH><Z_DOT>-0.25</Z_DOT><Y_DOT>7.5</Y_DOT>"        \
+  "<X_DOT>-0.5</X_DOT><X_DDOT>1</X_DDOT><Z>-17.5</Z><Y>452.0</Y><X>6985.0</X></stateVector>\n"
+#define XML_END "</data></segment>\n"
+#define XML_COVARIANCE                                                                             \
+  "<covarianceMatrix><EPOCH>2016-09-21T20:31:00</EPOCH><CX_X>1</CX_X></covarianceMatrix>"
+#define OEM_END "</body></oem>\n"
+
+/* A message in XML says what its other form does: alone, within `ndm` beside others and with a
+ * prefix; two segments, and two messages, go on from one another. */
+static void xml(void **state)
+{
+  struct um_context *context = *state;
+  double t = utc(context, "2016-09-21T20:31:00Z");
+  static const char again[] =
+      "<stateVector><EPOCH>2016-09-21T20:32:36.500</EPOCH><X>6985</X><Y>452</Y><Z>-17.5</Z>"
+      "<X_DOT>-0.5</X_DOT><Y_DOT>7.5</Y_DOT><Z_DOT>-0.25</Z_DOT></stateVector>";
+  char text[4096];
+  expect_first(context,
+               "<?xml version=\"1.0\"?>\n" OEM BODY XML_META("GCRF", "UTC")
+                   XML_1 XML_2 XML_COVARIANCE XML_END OEM_END,
+               t, 1e-9);
+  expect_first(
+      context,
+      "\xEF\xBB\xBF<!-- a > b --><ndm><omm><body><EPOCH>1</EPOCH></body></omm>" OEM BODY XML_META(
+          "ITRF", "TAI") XML_END XML_META("ICRF", "TAI") XML_1 XML_2 XML_END OEM_END "</ndm>",
+      t - 36.0, 1e-9);
+  expect_first(
+      context,
+      "<n:oem xmlns:n=\"urn:x\" version=\"2.0\"><n:body><n:segment><n:metadata><n:REF_FRAME>"
+      "GCRF</n:REF_FRAME><n:TIME_SYSTEM>GPS</n:TIME_SYSTEM></n:metadata><n:data>" XML_1 XML_2
+      "</n:data></n:segment></n:body></n:oem>",
+      t - 17.0, 1e-9);
+  for (int apart = 0; apart < 2; apart++) {
+    snprintf(text, sizeof text, "<ndm>" OEM "<body>" XML_META("GCRF", "UTC") "%s%s%s%s%s",
+             XML_1 XML_2 XML_END, apart != 0 ? OEM_END OEM "<body>" : "", XML_META("GCRF", "TAI"),
+             again, XML_END OEM_END "</ndm>");
+    expect_first(context, text, t, 1e-9);
+  }
+}
+
+#define STEP 8.0 /* [s] */
+
+/* One row of a flight, as a frame has it: the velocity is the slope of the polynomial through
+ * places there at five times, so that no formula of the reader's is in it. It leaves 1e-6 m/s of
+ * the orbit, and of times, which are known to 0.06 us, 0.1 mm/s. */
+static size_t put_row(struct um_context *context, const struct um_orbit_trajectory *flight,
+                      bool turns, double t, char *out, size_t size)
+{
+  struct um_vec3 x[5];
+  char clock[32];
+  for (int k = 0; k < 5; k++) {
+    struct um_mat3 m;
+    double at = t + STEP * (k - 2);
+    assert_ok(context, um_orbit_trajectory_state(context, flight, at, &x[k], NULL));
+    assert_ok(context,
+              um_orbit_frame_from_gcrs(context, &eop,
+                                       turns ? UM_ORBIT_FRAME_ITRF : UM_ORBIT_FRAME_TEME, at, &m));
+    x[k] = um_mat3_apply(m, x[k]);
+  }
+  struct um_vec3 near = um_vec3_sub(x[3], x[1]), far = um_vec3_sub(x[4], x[0]);
+  struct um_vec3 v =
+      um_vec3_scale(um_vec3_axpy(um_vec3_scale(near, 8.0), -1.0, far), 1.0 / (12.0 * STEP));
+  um_orbit_time_format(t, clock);
+  return (size_t)snprintf(out, size, "%s %.9f %.9f %.9f %.12f %.12f %.12f\n", clock, x[2].x * 1e-3,
+                          x[2].y * 1e-3, x[2].z * 1e-3, v.x * 1e-3, v.y * 1e-3, v.z * 1e-3);
+}
+
+/* A flight written in frames that turn, and read back: rows as they were, velocities but for the
+ * slow turn of the pole and the equinox (30 um/s), and between rows as a cubic has it. */
+static void round_trip(void **state)
+{
+  struct um_context *context = *state;
+  const struct um_orbit_kepler kepler = {
+      utc(context, "2016-09-06T00:00:00Z"), 7.2e6, 1e-3, 1.7, 0.4, 1.0, 0.3};
+  struct um_orbit_trajectory *flight = NULL, *back = NULL;
+  assert_ok(context, um_orbit_trajectory_create_kepler(context, &kepler, &flight));
+  for (int turns = 0; turns < 2; turns++) {
+    char text[4096], path[256];
+    size_t n =
+        (size_t)snprintf(text, sizeof text, "%s",
+                         turns != 0 ? HEAD META("ITRF2014", "UTC") : HEAD META("TEME", "UTC"));
+    for (int k = 0; k < 11; k++)
+      n += put_row(context, flight, turns != 0, kepler.epoch_tai + 30.0 * k, text + n,
+                   sizeof text - n);
+    scratch_write("oem", text, path);
+    assert_ok(context, um_orbit_trajectory_create_table(context, path, &eop, &back));
+    remove(path);
+    for (int k = 0; k <= 20; k++) {
+      struct um_vec3 r[2], v[2];
+      double t = kepler.epoch_tai + 15.0 * k;
+      assert_ok(context, um_orbit_trajectory_state(context, flight, t, &r[0], &v[0]));
+      assert_ok(context, um_orbit_trajectory_state(context, back, t, &r[1], &v[1]));
+      assert_vec_near(r[1], r[0], k % 2 == 0 ? 1e-5 : 0.03);
+      assert_vec_near(v[1], v[0], 1e-4);
+    }
+    um_orbit_trajectory_destroy(&back);
+  }
+  um_orbit_trajectory_destroy(&flight);
+}
+
+/* Rows outside of the table of the Earth's orientation. */
+static void beyond_finals(void **state)
+{
+  struct um_context *context = *state;
+  struct um_orbit_earth_orientation table = {0};
+  struct um_orbit_trajectory *orbit = NULL;
+  char path[256], oem[256];
+  scratch_write("finals",
+                "16 9 6 57637.00 I  0.236620 0.000030  0.351290 0.000020  I-0.2677940 0.0000090\n"
+                "16 9 8 57639.00 I  0.236620 0.000030  0.351290 0.000020  I-0.2677940 0.0000090\n",
+                path);
+  assert_ok(context, um_orbit_finals_read(context, path, &table.finals));
+  remove(path);
+  scratch_write("oem", HEAD META("ITRF", "UTC") ROW_1 ROW_2, oem);
+  assert_int_equal(um_orbit_trajectory_create_table(context, oem, &table, &orbit), UM_ERR_INPUT);
+  remove(oem);
+  assert_string_equal(um_core_message(context) + strlen(oem),
+                      ":12: Earth orientation is wanted at 2016-09-21T20:31:00.000Z; the finals "
+                      "table covers 2016-09-06T00:00:00.000Z to 2016-09-08T00:00:00.000Z");
+  um_orbit_finals_destroy(&table.finals);
+}
+
+#define DEEP "<a><a><a><a><a><a><a><a>"
+#define LONG "0123456789012345678901234567890123456789012345678"
+
 static void refusals(void **state)
 {
   struct um_context *context = *state;
   static const struct {
     const char *text, *message;
   } cases[] = {
-      {HEAD META("ITRF2000", "UTC") ROW_1 ROW_2,
-       ":8: REF_FRAME: 'ITRF2000'; accepted: GCRF, ICRF, EME2000"},
+      {HEAD META("GTOD", "UTC") ROW_1 ROW_2,
+       ":8: REF_FRAME: 'GTOD'; accepted: GCRF, ICRF, EME2000, ITRF, TEME, TOD, MOD"},
       {HEAD META("GCRF", "TDB") ROW_1 ROW_2, ":9: TIME_SYSTEM: 'TDB'; accepted: UTC, TAI, TT, GPS"},
       {HEAD "META_START\nCENTER_NAME = MOON\n", ":5: CENTER_NAME: 'MOON'; accepted: EARTH"},
       {HEAD "META_START\nREF_FRAME = GCRF\nMETA_STOP\n", ":6: the segment has no TIME_SYSTEM"},
@@ -122,6 +261,35 @@ static void refusals(void **state)
        ":12: time: '2016-09-31T20:31:00'; accepted: a time of GPS like 2016-09-21T20:33:00 from "
        "1960 "
        "to 2100"},
+      {OEM BODY XML_META("GTOD", "UTC"),
+       ":5: REF_FRAME: 'GTOD'; accepted: GCRF, ICRF, EME2000, ITRF, TEME, TOD, MOD"},
+      {OEM BODY XML_META("GCRF", "TDB"), ":6: TIME_SYSTEM: 'TDB'; accepted: UTC, TAI, TT, GPS"},
+      {OEM BODY "<segment><data>",
+       ":3: a segment without metadata; accepted: metadata before data"},
+      {OEM BODY XML_META("GCRF", "UTC") XML_END "<segment>\n<data>",
+       ":10: a segment without metadata; accepted: metadata before data"},
+      {OEM BODY XML_META("GCRF", "UTC") XML_1 "\n" XML_1 XML_END,
+       ":12: 2016-09-21T20:31:00.000 is not after the row before it; ascending times are accepted"},
+      {OEM BODY XML_META("GCRF", "UTC") "<stateVector>\n<X units=\"m\">7e6</X>",
+       ":9: X: 'm'; accepted: km"},
+      {OEM BODY XML_META("GCRF", "UTC") "<stateVector>\n<EPOCH>COMMENT</EPOCH>",
+       ":9: EPOCH: 'COMMENT'; accepted: a time like 2016-09-21T20:33:00"},
+      {OEM BODY XML_META("GCRF", "UTC") "<stateVector>\n<X>1</X>\n<X>1</X>",
+       ":10: X stands twice in a stateVector"},
+      {OEM BODY XML_META("GCRF",
+                         "UTC") "\n<stateVector>\n<EPOCH>2016-09-21T20:31:00</EPOCH><X>1</X>\n"
+                                "</stateVector>",
+       ":9: the stateVector that begins here has no Y"},
+      {OEM BODY XML_META("GCRF", "UTC") "<stateVector>\n<X>1</X></stateVector>",
+       ":8: the stateVector that begins here has no EPOCH"},
+      {OEM BODY XML_META("GCRF", "UTC") XML_1, ":11: not XML as it should be: no element found"},
+      {OEM BODY XML_META("GCRF", "UTC") XML_1 XML_END OEM_END, ": 1 rows, at least 2 are accepted"},
+      {"<ndm>\n<aem/></ndm>", ": no element oem; accepted: navigation messages (NDM/XML) with one"},
+      {"<!DOCTYPE oem [<!ENTITY a \"1\">]>\n" OEM,
+       ":1: a document type; accepted: navigation messages without"},
+      {"<ndm>" DEEP DEEP DEEP DEEP, ":1: more than 32 elements in one another; accepted: no more"},
+      {OEM BODY "<segment><metadata>\n<REF_FRAME>" LONG LONG LONG "</REF_FRAME>",
+       ":4: REF_FRAME is longer than 127 bytes; accepted: no more"},
       {"CIC_OEM_VERS = 1.0\nMETA_START\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\nMETA_STOP\n57652.5 0 "
        "7000 1 2 0 7 0\n",
        ":6: time: '57652.5'; accepted: a modified Julian day and seconds of it, 57652 73862.0"},
@@ -130,7 +298,7 @@ static void refusals(void **state)
     struct um_orbit_trajectory *orbit = NULL;
     char path[256];
     scratch_write("oem", cases[k].text, path);
-    assert_int_equal(um_orbit_trajectory_create_table(context, path, &orbit), UM_ERR_INPUT);
+    assert_int_equal(um_orbit_trajectory_create_table(context, path, NULL, &orbit), UM_ERR_INPUT);
     remove(path);
     assert_string_equal(um_core_message(context) + strlen(path), cases[k].message);
     assert_null(orbit);
@@ -144,6 +312,9 @@ int main(void)
       cmocka_unit_test_setup_teardown(scales, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(frame_bias, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(segments, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(xml, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(round_trip, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(beyond_finals, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(refusals, context_setup, context_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

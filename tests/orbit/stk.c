@@ -16,7 +16,7 @@ static enum um_status create(struct um_context *context, const char *text, char 
                              struct um_orbit_trajectory **orbit)
 {
   scratch_write("stk", text, path);
-  enum um_status status = um_orbit_trajectory_create_table(context, path, orbit);
+  enum um_status status = um_orbit_trajectory_create_table(context, path, NULL, orbit);
   remove(path);
   return status;
 }
@@ -42,6 +42,33 @@ static void places(void **state)
     double off = um_vec3_norm(um_vec3_sub(r, um_vec3(7000e3, 1e3, -2.5e3)));
     assert_true(k < 2 ? off < 1e-6 : off > 0.4 && off < 1.2);
     assert_vec_near(v, um_vec3(500.0, 7500.0, -250.0), 2e-3);
+    um_orbit_trajectory_destroy(&orbit);
+  }
+}
+
+/* Frames as STK calls them are those of messages: the first row in GCRS, by both names. */
+static void frames(void **state)
+{
+  struct um_context *context = *state;
+  static const struct {
+    const char *text;
+    enum um_orbit_frame frame;
+  } cases[] = {{EPHEMERIS("", "Fixed") METRES END, UM_ORBIT_FRAME_ITRF},
+               {EPHEMERIS("", "TEMEOfDate") METRES END, UM_ORBIT_FRAME_TEME},
+               {EPHEMERIS("", "TrueOfDate") METRES END, UM_ORBIT_FRAME_TOD},
+               {EPHEMERIS("", "meanofdate") METRES END, UM_ORBIT_FRAME_MOD}};
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct um_orbit_trajectory *orbit = NULL;
+    struct um_vec3 r, v, want_r = um_vec3(7000e3, 1e3, -2.5e3), want_v = um_vec3(500, 7500, -250);
+    double first, last;
+    char path[256];
+    assert_ok(context, create(context, cases[k].text, path, &orbit));
+    um_orbit_trajectory_span(orbit, &first, &last);
+    assert_ok(context, um_orbit_trajectory_state(context, orbit, first, &r, &v));
+    assert_ok(context,
+              um_orbit_frame_to_gcrs(context, NULL, cases[k].frame, first, &want_r, &want_v));
+    assert_vec_near(r, want_r, 1e-6);
+    assert_vec_near(v, want_v, 1e-9);
     um_orbit_trajectory_destroy(&orbit);
   }
 }
@@ -72,7 +99,8 @@ static void refusals(void **state)
   static const struct {
     const char *text, *message;
   } cases[] = {
-      {EPHEMERIS("", "Fixed") METRES END, ":9: 'Fixed'; accepted: J2000, ICRF"},
+      {EPHEMERIS("", "B1950") METRES END,
+       ":9: 'B1950'; accepted: J2000, ICRF, Fixed, TEMEOfDate, TrueOfDate, MeanOfDate"},
       {EPHEMERIS("DistanceUnit Feet", "ICRF") METRES END,
        ":10: 'Feet'; accepted: Meters, Kilometers"},
       {"stk.v.11.0\nBEGIN Attitude\n",
@@ -110,6 +138,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(places, context_setup, context_teardown),
+      cmocka_unit_test_setup_teardown(frames, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(turns, context_setup, context_teardown),
       cmocka_unit_test_setup_teardown(refusals, context_setup, context_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);

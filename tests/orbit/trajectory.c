@@ -143,7 +143,7 @@ static double table_error(struct um_context *context, double epoch, double step,
   scratch_write("table.csv", text, path);
   assert_ok(context,
             um_orbit_trajectory_create_circular(context, epoch, 622e3, 6378e3, 0.5, 0.0, &orbit));
-  assert_ok(context, um_orbit_trajectory_create_table(context, path, &table));
+  assert_ok(context, um_orbit_trajectory_create_table(context, path, NULL, &table));
   um_orbit_trajectory_span(table, &first, &last);
   assert_close(first, epoch, 1e-6);
   assert_close(last, epoch + step * (rows - 1), 1e-6);
@@ -195,7 +195,7 @@ static void table_exact(void **state)
     }
     scratch_write("cubic.csv", text, path);
     struct um_orbit_trajectory *table = NULL;
-    assert_ok(context, um_orbit_trajectory_create_table(context, path, &table));
+    assert_ok(context, um_orbit_trajectory_create_table(context, path, NULL, &table));
     double start = utc(context, "2016-09-21T20:00:00Z");
     for (double s = 0.0; s <= seconds[rows - 1]; s += 0.5) {
       struct um_vec3 r, v;
@@ -215,7 +215,7 @@ static void refused_table(struct um_context *context, const char *text, const ch
   struct um_orbit_trajectory *table = NULL;
   scratch_write("bad.csv", text, path);
   um_core_message_clear(context);
-  assert_int_equal(um_orbit_trajectory_create_table(context, path, &table), UM_ERR_INPUT);
+  assert_int_equal(um_orbit_trajectory_create_table(context, path, NULL, &table), UM_ERR_INPUT);
   assert_null(table);
   snprintf(want, sizeof want, "%s%s", path, message);
   assert_string_equal(um_core_message(context), want);
@@ -266,7 +266,7 @@ static void table_refusals(void **state)
       "time_utc,x_km,y_km,z_km\n2016-01-01T00:00:00Z,7000,0,0\n2016-01-01T00:01:00Z,7000,1,0\n",
       path);
   um_core_message_clear(context);
-  assert_ok(context, um_orbit_trajectory_create_table(context, path, &table));
+  assert_ok(context, um_orbit_trajectory_create_table(context, path, NULL, &table));
   assert_int_equal(um_orbit_trajectory_state(context, table,
                                              utc(context, "2016-01-01T00:01:00.001Z"), NULL, NULL),
                    UM_ERR_INPUT);
