@@ -63,13 +63,15 @@ static bool turns_once(const struct um_vec3 *p, size_t n, struct um_vec3 normal)
   return fabs(sum - 2.0 * UM_PI) < 1.0; /* 1 rad: the polygon need not be quite plane */
 }
 
-/* True when q lies inside or on the border of the triangle, seen along the normal. */
+/* True when q lies inside or, to rounding, on the border of the triangle, seen along the normal. */
 static bool inside(struct um_vec3 q, struct um_vec3 a, struct um_vec3 b, struct um_vec3 c,
                    struct um_vec3 normal)
 {
-  double s;
-  return seen_area(a, b, q, normal, &s) >= 0.0 && seen_area(b, c, q, normal, &s) >= 0.0 &&
-         seen_area(c, a, q, normal, &s) >= 0.0;
+  double s[3];
+  seen_area(a, b, q, normal, &s[0]);
+  seen_area(b, c, q, normal, &s[1]);
+  seen_area(c, a, q, normal, &s[2]);
+  return fmin(fmin(s[0], s[1]), s[2]) >= -UM_GEOMETRY_DEGENERATE;
 }
 
 static bool same_point(struct um_vec3 a, struct um_vec3 b)

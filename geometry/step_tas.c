@@ -122,7 +122,11 @@ static enum um_status put_names(struct um_geometry_tas *t, um_geometry_tas_item 
   char name[256], material[256], back[256], group[256];
   UM_TRY(read_material(t, surface, turned, material));
   UM_TRY(read_material(t, surface, !turned, back));
-  read_text(t, t->nsurface > UM_GEOMETRY_MAX_GROUPS ? parent : surface, NAME, name);
+  read_text(t,
+            t->nsurface > UM_GEOMETRY_MAX_GROUPS ? parent
+            : t->cut != NULL                     ? t->cut
+                                                 : surface,
+            NAME, name);
   if (name[0] == '\0') snprintf(name, sizeof name, "surface");
   if (t->nsurface > UM_GEOMETRY_MAX_GROUPS) {
     snprintf(group, sizeof group, "%.120s%s%.120s", name, material[0] != '\0' ? "." : "", material);
@@ -161,6 +165,25 @@ static bool is_compound(um_geometry_tas_item item)
   return um_geometry_part21_is(item->name, COMPOUND) || um_geometry_part21_is(item->name, BOX);
 }
 
+static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item item,
+                               um_geometry_tas_item parent,
+                               const struct um_geometry_tas_frame *outer, int depth);
+
+static enum um_status put_cut(struct um_geometry_tas *t, um_geometry_tas_item item,
+                              um_geometry_tas_item parent,
+                              const struct um_geometry_tas_frame *frame, int depth)
+{
+  um_geometry_tas_item target;
+  size_t before = t->nsolid;
+  UM_TRY(um_geometry_tas_item_at(t, item, ITEMS, "a surface", false, &target));
+  if (t->cut == NULL) t->cut = item;
+  enum um_status status = um_geometry_tas_cut_begin(t, item, frame);
+  if (status == UM_OK) status = put_item(t, target, parent, frame, depth + 1);
+  um_geometry_tas_cut_end(t, before);
+  t->cut = before > 0 ? t->cut : NULL;
+  return status;
+}
+
 /* An item and all in it; each stands in one place, so that this ends. */
 static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item item,
                                um_geometry_tas_item parent,
@@ -175,18 +198,15 @@ static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item i
     return um_geometry_tas_fail(t, item, "stands too deep; expected: at most %d items within items",
                                 DEEPEST);
   *seen |= PLACED;
-  if (um_geometry_part21_is(item->name, CUT))
-    return um_geometry_tas_fail(
-        t, item,
-        "a surface cut by a solid, which is not read; accepted: surfaces without cuts: take the "
-        "cut out before the export, or export the cut surface as a mesh (STL, OBJ) of its own");
   UM_TRY(um_geometry_tas_place(t, item, PLACE, outer, &frame));
   if (um_geometry_part21_is(item->name, SURFACE)) return put_surface(t, item, parent, &frame);
+  if (um_geometry_part21_is(item->name, CUT)) return put_cut(t, item, parent, &frame, depth);
   if (!is_compound(item))
     return um_geometry_tas_fail(t, item,
-                                "is no item that is read; expected: a surface or a "
-                                "compound of surfaces");
+                                "is no item that is read; expected: a surface, a "
+                                "compound of surfaces or a cut one");
   UM_TRY(um_geometry_tas_list(t, item, ITEMS, &next, &end));
+  t->cut = NULL; /* surfaces of a compound that is cut keep their names */
   for (; next < end; next = t->file.value[next].end) {
     um_geometry_tas_item child;
     UM_TRY(um_geometry_tas_listed(t, item, next, &child));
@@ -271,6 +291,6 @@ enum um_status um_geometry_step_tas_read(struct um_context *context, const char 
   t.text = NULL;
 done:
   um_geometry_part21_clear(context, &t.file);
-  UM_FREE(context, t.text, t.seen, t.name);
+  UM_FREE(context, t.text, t.seen, t.name, t.solid);
   return status;
 }

@@ -11,6 +11,23 @@
 /* Faces of one surface in one direction. */
 #define UM_TAS_FACES 10000
 
+/* A convex solid that cuts surfaces: inside is normal . p <= offset of every plane [m]. */
+struct um_geometry_tas_plane {
+  struct um_vec3 normal;
+  double offset;
+};
+struct um_geometry_tas_solid {
+  struct um_geometry_tas_plane *plane; /* [n] */
+  size_t n;
+};
+
+/* Convex polygons, one behind the other. */
+struct um_geometry_tas_pieces {
+  struct um_vec3 *corner; /* [ncorner] */
+  size_t *end;            /* [n] of corners up to and with this piece */
+  size_t ncorner, n, corner_capacity, capacity;
+};
+
 /* A file that is read. */
 struct um_geometry_tas {
   struct um_context *context;
@@ -22,6 +39,9 @@ struct um_geometry_tas {
   uint8_t *seen;          /* [file.ninstance] of items: 1 inside another, 2 placed */
   char (*name)[256];      /* [nname] groups that are taken */
   size_t nname, nsurface;
+  struct um_geometry_tas_solid *solid; /* [nsolid] that cut what is being read */
+  size_t nsolid;
+  const struct um_geometry_part21_instance *cut; /* that names its one surface; NULL: none does */
   size_t idle; /* surfaces without an active side, and the first of them: */
   const struct um_geometry_part21_instance *first_idle;
 };
@@ -74,9 +94,28 @@ enum um_status um_geometry_tas_place(const struct um_geometry_tas *t, um_geometr
                                      struct um_geometry_tas_frame *out);
 struct um_vec3 um_geometry_tas_move(const struct um_geometry_tas_frame *frame, struct um_vec3 p);
 
-/* step_tas_shape.c: vertices and faces of a surface whose shape is attribute 6, seen from side 1,
+/* step_tas_facets.c: vertices and faces of a surface whose shape is attribute 6, seen from side 1,
  * or from side 2 where `turned`. */
 enum um_status um_geometry_tas_put_shape(struct um_geometry_tas *t, um_geometry_tas_item surface,
                                          const struct um_geometry_tas_frame *frame, bool turned);
+enum um_status um_geometry_tas_put_vertex(struct um_geometry_tas *t, um_geometry_tas_item surface,
+                                          struct um_vec3 p);
+
+/* step_tas_cut.c: the tool of the cut surface `of`, whose frame this is, cuts what is put from here
+ * on, until solids from number `nsolid` on are given back. UM_ERR_INPUT: a tool that is not read.
+ */
+enum um_status um_geometry_tas_cut_begin(struct um_geometry_tas *t, um_geometry_tas_item of,
+                                         const struct um_geometry_tas_frame *frame);
+void um_geometry_tas_cut_end(struct um_geometry_tas *t, size_t nsolid);
+/* Adds a polygon of n corners. */
+enum um_status um_geometry_tas_pieces_add(struct um_context *context,
+                                          struct um_geometry_tas_pieces *pieces,
+                                          const struct um_vec3 *corner, size_t n);
+void um_geometry_tas_pieces_clear(struct um_context *context,
+                                  struct um_geometry_tas_pieces *pieces);
+/* Vertices and faces of what the solids leave of a surface's polygons; corners that lie on an edge
+ * of another polygon stand in that one, too. */
+enum um_status um_geometry_tas_put_cut(struct um_geometry_tas *t, um_geometry_tas_item surface,
+                                       const struct um_geometry_tas_pieces *whole);
 
 #endif

@@ -3,7 +3,8 @@
 #define UMBRA_ORBIT_ATTITUDE_LAW_H
 
 #include "base/core/vec.h"
-#include "orbit/finals.h"
+
+struct um_orbit_earth_orientation; /* orbit/finals.h */
 
 enum um_orbit_attitude_kind {
   UM_ATTITUDE_FIXED,  /* q constant in GCRS */

@@ -330,6 +330,101 @@ static void many_surfaces(void **state)
   free(text);
 }
 
+/* --- cuts --------------------------------------------------------------------------------------
+ */
+
+/* A plate of 1 x 2 m in 3 x 4 faces, side 1 toward +z, cut by a tool whose solid is `solid`. */
+#define CUT_OF(id, what, tool)                                                                     \
+  "#" id "=MGM_MESHED_BOOLEAN_DIFFERENCE_SURFACE('cut" id "','','',$,$,$,#" what ",#" tool ");\n"
+#define TOOL(id, place, solid)                                                                     \
+  "#" id "=MGM_HALF_SPACE_SOLID('tool','',''," place ",#" solid ",.INSIDE.);\n"
+#define PLATE(cuts)                                                                                \
+  HEAD FRAME RECTANGLE MODEL("#60")                                                                \
+      SURFACE("40", "plate", "$", "#53", ".BOTH.", "#6", "#7", "3,4,$,$,$,$") cuts TAIL
+/* Tools: 0.4 m along z from 0.1 m below the plate's middle. */
+#define CENTRE                                                                                     \
+  POINT("70", "0.47", "1.03", "-0.1", "11")                                                        \
+  POINT("71", "0.47", "1.03", "0.3", "11")                                                         \
+  POINT("72", "0.97", "1.03", "-0.1", "11") POINT("73", "0.47", "1.33", "-0.1", "11")              \
+      VALUE("74", "0.3", "11") VALUE("75", "0.1", "11")
+
+/* Length of edges that one facet alone has: the outline, and what a hanging corner would add. */
+static double open_edges(const struct support *s)
+{
+  double length = 0.0;
+  const struct um_geometry_mesh *m = s->mesh;
+  for (size_t f = 0; f < m->nfacet; f++)
+    for (int k = 0; k < 3; k++) {
+      uint32_t a = m->corner[f][k], b = m->corner[f][(k + 1) % 3];
+      bool shared = false;
+      for (size_t g = 0; g < m->nfacet && !shared; g++)
+        for (int i = 0; i < 3; i++)
+          shared = shared || (m->corner[g][i] == b && m->corner[g][(i + 1) % 3] == a);
+      if (!shared) length += um_vec3_norm(um_vec3_sub(s->pose->vertex[a], s->pose->vertex[b]));
+    }
+  return length;
+}
+
+/* What the cut leaves of the plate's 2 m2, and its outline of 6 m with that of the hole. */
+static void expect_cut(const char *text, double hole, double around, double tolerance)
+{
+  struct support s = build(text, false);
+  assert_close(area_of(&s), 2.0 - hole, tolerance * hole + 1e-12);
+  assert_close(open_edges(&s), 6.0 + around, 3e-3 * around + 1e-9);
+  assert_true(least_outward(&s, true) > 1.0 - 1e-12); /* fronts stay where they were */
+  support_destroy(&s);
+}
+
+/* Holes: of planes exact; of round tools their area, as their sides are made for it (1e-12), and a
+ * ball's within 1e-3. A circle's outline is that of the polygon, 0.03 % more. At z = 0 a cone of
+ * radii 0.3 and 0.1 over 0.4 m has 0.25 m; the ball about (0.47, 1.03, -0.1) sqrt(0.09 - 0.01). */
+static void cut_plates(void **state)
+{
+  (void)state;
+  const double pi = 3.14159265358979323846, ball = 0.09 - 0.01;
+  expect_cut(PLATE(CENTRE CUT_OF("60", "40", "61")
+                       TOOL("61", "$", "62") "#62=MGM_SOLID_BOX($,#70,#72,#73,#71);\n"),
+             0.15, 1.6, 0.0);
+  expect_cut(PLATE(CENTRE CUT_OF("60", "40", "61") TOOL(
+                 "61", "$", "62") "#62=MGM_SOLID_TRIANGULAR_PRISM($,#70,#72,#73,#71);\n"),
+             0.075, 0.8 + sqrt(0.34), 0.0);
+  expect_cut(PLATE(CENTRE CUT_OF("60", "40", "61") TOOL(
+                 "61", "$", "62") "#62=MGM_SOLID_CYLINDER($,#70,#71,#72,#74,#30,#32);\n"),
+             pi * 0.09, 2 * pi * 0.3, 1e-12);
+  expect_cut(PLATE(CENTRE CUT_OF("60", "40", "61") TOOL(
+                 "61", "$", "62") "#62=MGM_SOLID_CONE($,#70,#71,#72,#74,#75,#30,#32);\n"),
+             pi * 0.0625, 2 * pi * 0.25, 1e-12);
+  expect_cut(PLATE(CENTRE VALUE("76", "-0.3", "11") CUT_OF("60", "40", "61") TOOL(
+                 "61", "$", "62") "#62=MGM_SOLID_SPHERE($,#70,#71,#72,#74,#76,#74,#30,#32);\n"),
+             pi * ball, 2 * pi * sqrt(ball), 1e-3);
+}
+
+/* A tool that stands elsewhere: beyond the plate it takes nothing; over its edge a part; below one
+ * of its cuts, half a ball, nothing. Two tools, one inside the other's cut. Names are the last
+ * cut's. */
+static void cut_places(void **state)
+{
+  (void)state;
+#define BOX(place)                                                                                 \
+  PLATE(CENTRE CUT_OF("60", "40", "61")                                                            \
+            TOOL("61", place, "62") "#62=MGM_SOLID_BOX($,#70,#72,#73,"                             \
+                                    "#71);\n#63=MGM_TRANSLATION(5.,0.,"                            \
+                                    "0.,#11);\n#64=MGM_TRANSLATION(0.3,"                           \
+                                    "0.,0.,#11);\n")
+  expect_cut(BOX("#63"), 0.0, 0.0, 0.0);
+  expect_cut(BOX("#64"), 0.23 * 0.3, 2 * 0.23, 1e-9); /* 0.77 to 1 of x: its edge is gone, too */
+  static const char two[] =
+      PLATE(CENTRE CUT_OF("60", "65", "61") TOOL(
+          "61", "$", "62") "#62=MGM_SOLID_BOX($,#70,#72,#73,#71);"
+                           "\n" CUT_OF("65", "40", "66")
+                               TOOL("66", "#64", "62") "#64=MGM_TRANSLATION(0.2,0.,0.,#11);\n");
+  expect_cut(two, 0.53 * 0.3, 2 * 0.53, 1e-9); /* 0.47 to 1 */
+  struct um_geometry_obj_look look = look_at(two);
+  assert_int_equal(look.ngroup, 1);
+  assert_string_equal(look.group[0].name, "cut60");
+  um_geometry_obj_look_clear(context, &look);
+}
+
 static void refuse(const char *text, const char *says)
 {
   char path[UM_TEST_PATH], where[2 * UM_TEST_PATH];
@@ -353,7 +448,18 @@ static void refuses_geometry(void **state)
   (void)state;
   refuse(RECTANGLES("#40,#60", "#60=MGM_MESHED_BOOLEAN_DIFFERENCE_SURFACE('drilled','','',$,$,$,"
                                "#40,#61);\n#61=MGM_HALF_SPACE_SOLID('tool','','',$,$,.INSIDE.);\n"),
-         ":26: #60 MGM_MESHED_BOOLEAN_DIFFERENCE_SURFACE 'drilled': a surface cut by a solid");
+         ":27: #61 MGM_HALF_SPACE_SOLID 'tool': expected: a solid, as #12");
+  refuse(RECTANGLES("#40,#60", CUT_OF("60", "40", "61") "#61=MGM_HALF_SPACE_SOLID('tool','','',$,"
+                                                        "#53,.OUTSIDE.);\n"),
+         "'tool': is no tool that is read");
+  refuse(RECTANGLES("#40,#60", CUT_OF("60", "40", "61") TOOL("61", "$", "53")),
+         "#53 MGM_RECTANGLE: is no solid that is read");
+  refuse(RECTANGLES("#40,#60", CUT_OF("60", "40", "61")
+                                   TOOL("61", "$", "62") "#62=MGM_SOLID_BOX($,#50,#51,#52,#51);\n"),
+         "#62 MGM_SOLID_BOX: its corners; expected: three edges that span a volume");
+  refuse(PLATE(CENTRE CUT_OF("60", "40", "61")
+                   TOOL("61", "$", "62") "#62=MGM_SOLID_CYLINDER($,#70,#71,#72,#74,#30,#31);\n"),
+         "#62 MGM_SOLID_CYLINDER: a solid of 270 deg; expected: a whole turn");
   refuse(ROUND("MGM_TORUS($,#20,#21,#22)"), "#41 MGM_TORUS: is no shape that is read");
   refuse(RECTANGLES("#40,#53", ""), "#53 MGM_RECTANGLE: is no item that is read");
   refuse(RECTANGLES("#60", COMPOUND("60", "$", "#40,#40")), "'r': stands in two items");
@@ -430,6 +536,8 @@ int main(void)
                                      cmocka_unit_test(many_surfaces),
                                      cmocka_unit_test(refuses_geometry),
                                      cmocka_unit_test(refuses_files),
+                                     cmocka_unit_test(cut_plates),
+                                     cmocka_unit_test(cut_places),
                                      cmocka_unit_test(cut_short)};
   return cmocka_run_group_tests(tests, context_set_up, context_tear_down);
 }
