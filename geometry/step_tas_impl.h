@@ -101,13 +101,14 @@ enum um_status um_geometry_tas_put_shape(struct um_geometry_tas *t, um_geometry_
 enum um_status um_geometry_tas_put_vertex(struct um_geometry_tas *t, um_geometry_tas_item surface,
                                           struct um_vec3 p);
 
-/* step_tas_cut.c: the tool of the cut surface `of`, whose frame this is, cuts what is put from here
- * on, until solids from number `nsolid` on are given back. UM_ERR_INPUT: a tool that is not read.
+/* step_tas_solid.c: the tool of the cut surface `of`, whose frame this is, cuts what is put from
+ * here on, until solids from number `nsolid` on are given back. UM_ERR_INPUT: a tool that is not
+ * read.
  */
 enum um_status um_geometry_tas_cut_begin(struct um_geometry_tas *t, um_geometry_tas_item of,
                                          const struct um_geometry_tas_frame *frame);
 void um_geometry_tas_cut_end(struct um_geometry_tas *t, size_t nsolid);
-/* Adds a polygon of n corners. */
+/* step_tas_cut.c. Adds a polygon of n corners. */
 enum um_status um_geometry_tas_pieces_add(struct um_context *context,
                                           struct um_geometry_tas_pieces *pieces,
                                           const struct um_vec3 *corner, size_t n);
