@@ -117,7 +117,7 @@ static enum um_status read_patches(struct reader *r, size_t npatch)
   UM_TRY(um_core_allocate(context, npatch, sizeof(double), &patches->area));
   size_t n = 0, last = 0;
   for (; is(r, "patch"); r->row++, n++) {
-    size_t p, s;
+    size_t p = 0, s = 0;
     UM_TRY(index_of(r, FROM, npatch, &p));
     UM_TRY(index_of(r, TO, mesh->nsurface, &s));
     if (p != last && p != last + 1) return refuse(r, FROM, "patches in their order, none left out");

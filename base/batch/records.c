@@ -232,7 +232,8 @@ enum um_status um_batch_records_append(struct um_context *context, struct um_bat
   memcpy(r->buffer + bytes, &crc, CRC);
   if (!um_batch_file_write(r->file[0].descriptor, r->length, r->buffer, bytes + CRC)) {
     enum um_status status = um_batch_file_fail(context, r->file[0].path, "a point cannot be kept");
-    (void)ftruncate(r->file[0].descriptor, (off_t)r->length);
+    int cut = ftruncate(r->file[0].descriptor, (off_t)r->length);
+    (void)cut; /* what it leaves is cut off when the file is opened again */
     return status;
   }
   *place = (struct um_batch_place){0, r->length + HEAD + n, head[1]};

@@ -302,7 +302,7 @@ static void out_of_the_plane(void **state)
   for (size_t s = 0; s < 2; s++) {
     published_rows(&published[s]);
     published_record(&published[s], table[s], path[s]);
-    snprintf(set[s], sizeof set[s], "material_files.+=%s", path[s]);
+    snprintf(set[s], sizeof set[s], "material_files.+=%.*s", UM_TEST_PATH - 1, path[s]);
   }
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     struct um_model_options options = {.overrides = overrides + cases[k].from,
