@@ -11,6 +11,7 @@
 #include "base/core/constants.h"
 #include "base/core/data.h"
 #include "base/core/file.h"
+#include "base/core/listing.h"
 #include "base/core/text.h"
 #include "model/build/build.h"
 #include "orbit/elements.h"
@@ -81,19 +82,24 @@ static enum um_status put_mesh(struct um_context *context, struct um_core_folder
 {
   enum um_status status;
   struct um_geometry_obj_look look = {0};
-  char *bytes = NULL;
-  size_t n;
+  struct um_app_new_materials own = {0};
+  char *bytes = NULL, **record = NULL;
+  size_t n, nrecord = 0;
   made->mesh = plain_name(path);
   if (!um_core_name_is_safe(made->mesh))
     return um_core_fail(context, UM_ERR_INPUT, "'%s': accepted: " UM_CORE_NAME_ACCEPTED,
                         made->mesh);
   UM_CHECK(um_geometry_obj_look(context, path, &look));
   made->npart = look.npart;
-  UM_CHECK(um_app_new_parts(context, text, made->mesh, &look, &made->scale));
+  UM_CHECK(um_core_data_names(context, "materials", ".yaml", &record, &nrecord));
+  UM_CHECK(um_app_new_materials(context, folder, path, made->mesh, record, nrecord, &own));
+  UM_CHECK(um_app_new_parts(context, text, made->mesh, &look, record, nrecord, &own, &made->scale));
   UM_CHECK(um_core_file_read(context, path, FILE_BYTES, &bytes, &n));
   UM_CHECK(put_file(context, folder, made->mesh, bytes, n));
 done:
   um_core_free(context, bytes);
+  um_core_listing_free(context, record, nrecord);
+  um_app_new_materials_clear(context, &own);
   um_geometry_obj_look_clear(context, &look);
   return status;
 }

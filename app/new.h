@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "app/station.h"
+#include "base/core/file.h"
 #include "geometry/obj_look.h"
 #include "orbit/tle.h"
 
@@ -15,12 +16,29 @@
 enum um_status um_app_new_put(struct um_context *context, char **text, const char *key,
                               const char *comment, const char *value);
 
+/* Records that were written beside the scenario. */
+struct um_app_new_materials {
+  char **name;           /* [n] of the records */
+  char **file, **stands; /* [n]; what the mesh calls them */
+  size_t n;
+};
+/* Records of the optical properties that a mesh of STEP-TAS at `path` states, grey, of those that
+ * are none of record[nrecord]; `from`: what the records say they are from. None of other meshes.
+ * The caller clears. */
+enum um_status um_app_new_materials(struct um_context *context, struct um_core_folder *folder,
+                                    const char *path, const char *from, char *const *record,
+                                    size_t nrecord, struct um_app_new_materials *out);
+void um_app_new_materials_clear(struct um_context *context, struct um_app_new_materials *materials);
+
 /* Blocks parts, contacts and thermal from the groups of an OBJ that stands beside the scenario
  * under `name`: a part for the groups that share edges, a material for each of them, the one that
- * its usemtl names where there is such a record. *npart and *scale [m per unit of the file] say
- * what was made of it. UM_ERR_INPUT: a group of closed and open pieces. */
+ * its usemtl names where there is such a record, of the library's record[nrecord] or of `own`.
+ * *scale [m per unit of the file] says what was made of it. UM_ERR_INPUT: a group of closed and
+ * open pieces. */
 enum um_status um_app_new_parts(struct um_context *context, char **text, const char *name,
-                                const struct um_geometry_obj_look *look, double *scale);
+                                const struct um_geometry_obj_look *look, char *const *record,
+                                size_t nrecord, const struct um_app_new_materials *own,
+                                double *scale);
 
 /* The time of a scenario, taken from the passes of its station in the three days from `from` on
  * [t_tai, s], NaN for half a day before its own time: one that crosses the edge of the shadow in a

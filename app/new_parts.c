@@ -5,8 +5,6 @@
 
 #include "app/app.h"
 #include "app/new.h"
-#include "base/core/data.h"
-#include "base/core/listing.h"
 
 #define MILLIMETRES 100.0 /* a satellite that is longer than this is drawn in millimetres [m] */
 #define MATERIAL    "aluminium_anodised" /* of a group that names none */
@@ -19,13 +17,20 @@ struct page {
   FILE *file;
 };
 
-/* Material of a group: what its usemtl names where that is a record of the library, else `other`.
- */
-static const char *material_of(const char *usemtl, const char *other, char *const *record,
-                               size_t nrecord)
+/* Records that there are. */
+struct records {
+  char *const *record; /* [n] of the library */
+  size_t n;
+  const struct um_app_new_materials *own;
+};
+
+/* Material of a group: what its usemtl names where there is such a record, else `other`. */
+static const char *material_of(const char *usemtl, const char *other, const struct records *r)
 {
-  for (size_t i = 0; i < nrecord && usemtl != NULL; i++)
-    if (strcmp(record[i], usemtl) == 0) return record[i];
+  for (size_t i = 0; i < r->n && usemtl != NULL; i++)
+    if (strcmp(r->record[i], usemtl) == 0) return usemtl;
+  for (size_t i = 0; i < r->own->n && usemtl != NULL; i++)
+    if (strcmp(r->own->stands[i], usemtl) == 0) return r->own->name[i];
   return usemtl != NULL ? MATERIAL : other;
 }
 
@@ -75,8 +80,8 @@ static enum um_status check_groups(struct um_context *context, const char *name,
 }
 
 static void put_part(FILE *file, const char *mesh, double scale, const char *name,
-                     const struct um_geometry_obj_look *look, size_t part, char *const *record,
-                     size_t nrecord)
+                     const struct um_geometry_obj_look *look, size_t part,
+                     const struct records *records)
 {
   bool closed = true;
   const char *comma = "";
@@ -94,13 +99,13 @@ static void put_part(FILE *file, const char *mesh, double scale, const char *nam
   for (size_t g = 0; g < look->ngroup; g++) {
     const struct um_geometry_obj_group *group = &look->group[g];
     if (group->part != part) continue;
-    const char *material = material_of(group->usemtl, MATERIAL, record, nrecord);
+    const char *front = material_of(group->usemtl, MATERIAL, records);
     closed = closed && group->nclosed > 0;
     if (group->nclosed > 0)
-      fprintf(file, "      \"%s\": %s\n", group->name, material);
+      fprintf(file, "      \"%s\": %s\n", group->name, front);
     else
       fprintf(file, "      \"%s\": {front: %s, back: %s}   # open: both of its sides\n",
-              group->name, material, material_of(group->usemtl_back, material, record, nrecord));
+              group->name, front, material_of(group->usemtl_back, front, records));
   }
   fputs("    # heat capacity of the walls by their area: 1.5 mm of aluminium\n"
         "    shell: {areal_heat_capacity_J_m2_K: 3600}\n",
@@ -113,24 +118,22 @@ static void put_part(FILE *file, const char *mesh, double scale, const char *nam
 }
 
 static enum um_status put_parts(struct um_context *context, FILE *file, const char *mesh,
-                                double scale, const struct um_geometry_obj_look *look)
+                                double scale, const struct um_geometry_obj_look *look,
+                                const struct records *records)
 {
-  enum um_status status;
-  char **record = NULL, (*name)[80] = NULL;
-  size_t nrecord = 0;
-  UM_CHECK(um_core_data_names(context, "materials", ".yaml", &record, &nrecord));
-  UM_CHECK(um_core_allocate(context, look->npart, sizeof *name, &name));
+  char(*name)[80] = NULL;
+  UM_TRY(um_core_allocate(context, look->npart, sizeof *name, &name));
   fputs("parts:\n", file);
   for (size_t part = 0; part < look->npart; part++) {
     name_part(look, part, name[part]);
     name_uniquely(name, part);
     if (part > 0) fputs("\n", file);
-    put_part(file, mesh, scale, name[part], look, part, record, nrecord);
+    put_part(file, mesh, scale, name[part], look, part, records);
   }
-done:
-  um_core_listing_free(context, record, nrecord);
+  if (records->own->n > 0) fputs("\nmaterial_files:\n", file);
+  for (size_t i = 0; i < records->own->n; i++) fprintf(file, "  - %s\n", records->own->file[i]);
   um_core_free(context, name);
-  return status;
+  return UM_OK;
 }
 
 /* One digit: 0.0437 becomes 0.04. */
@@ -168,8 +171,11 @@ static enum um_status put_blocks(struct um_context *context, char **text, const 
 }
 
 enum um_status um_app_new_parts(struct um_context *context, char **text, const char *name,
-                                const struct um_geometry_obj_look *look, double *scale)
+                                const struct um_geometry_obj_look *look, char *const *record,
+                                size_t nrecord, const struct um_app_new_materials *own,
+                                double *scale)
 {
+  const struct records records = {record, nrecord, own};
   enum um_status status;
   struct page page = {NULL, 0, NULL};
   double size = um_vec3_norm(um_vec3_sub(look->high, look->low)); /* [units of the file] */
@@ -177,7 +183,7 @@ enum um_status um_app_new_parts(struct um_context *context, char **text, const c
   UM_TRY(check_groups(context, name, look));
   page.file = open_memstream(&page.text, &page.length);
   if (page.file == NULL) return um_core_fail(context, UM_ERR_MEMORY, "out of memory");
-  status = put_parts(context, page.file, name, *scale, look);
+  status = put_parts(context, page.file, name, *scale, look, &records);
   if (fclose(page.file) != 0 && status == UM_OK)
     status = um_core_fail(context, UM_ERR_MEMORY, "out of memory");
   if (status == UM_OK) status = put_blocks(context, text, page.text, size, *scale);

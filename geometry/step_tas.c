@@ -41,9 +41,8 @@ bool um_geometry_step_tas_is(const char *bytes, size_t length)
   return false;
 }
 
-/* Its name or another text, as the message and the OBJ take it. */
-static void read_text(const struct um_geometry_tas *t, um_geometry_tas_item of, int index,
-                      char out[256])
+void um_geometry_tas_text(const struct um_geometry_tas *t, um_geometry_tas_item of, int index,
+                          char out[256])
 {
   um_geometry_tas_value v = um_geometry_tas_attribute(t, of, index);
   size_t n = 0;
@@ -64,7 +63,7 @@ enum um_status um_geometry_tas_fail(const struct um_geometry_tas *t, um_geometry
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  read_text(t, of, NAME, name);
+  um_geometry_tas_text(t, of, NAME, name);
   return um_core_fail(t->context, UM_ERR_INPUT, "%s:%d: #%llu %.*s%s%s%s: %s", t->path, of->line,
                       (unsigned long long)of->id,
                       (int)(of->name.length < 60 ? of->name.length : 60), of->name.at,
@@ -110,7 +109,7 @@ static enum um_status read_material(const struct um_geometry_tas *t, um_geometry
   um_geometry_tas_item optical;
   out[0] = '\0';
   UM_TRY(um_geometry_tas_item_at(t, surface, OPTICAL + side, "a material", true, &optical));
-  if (optical != NULL) read_text(t, optical, NAME, out);
+  if (optical != NULL) um_geometry_tas_text(t, optical, NAME, out);
   return UM_OK;
 }
 
@@ -122,11 +121,11 @@ static enum um_status put_names(struct um_geometry_tas *t, um_geometry_tas_item 
   char name[256], material[256], back[256], group[256];
   UM_TRY(read_material(t, surface, turned, material));
   UM_TRY(read_material(t, surface, !turned, back));
-  read_text(t,
-            t->nsurface > UM_GEOMETRY_MAX_GROUPS ? parent
-            : t->cut != NULL                     ? t->cut
-                                                 : surface,
-            NAME, name);
+  um_geometry_tas_text(t,
+                       t->nsurface > UM_GEOMETRY_MAX_GROUPS ? parent
+                       : t->cut != NULL                     ? t->cut
+                                                            : surface,
+                       NAME, name);
   if (name[0] == '\0') snprintf(name, sizeof name, "surface");
   if (t->nsurface > UM_GEOMETRY_MAX_GROUPS) {
     snprintf(group, sizeof group, "%.120s%s%.120s", name, material[0] != '\0' ? "." : "", material);
@@ -281,7 +280,7 @@ enum um_status um_geometry_step_tas_read(struct um_context *context, const char 
   UM_CHECK(put_models(&t));
   if (t.idle > 0) {
     char name[256];
-    read_text(&t, t.first_idle, NAME, name);
+    um_geometry_tas_text(&t, t.first_idle, NAME, name);
     um_core_log(context, UM_LOG_WARNING,
                 "%s:%d: '%s': surfaces without an active side are left out, %zu of them", path,
                 t.first_idle->line, name, t.idle);

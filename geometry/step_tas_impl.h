@@ -58,6 +58,9 @@ struct um_geometry_tas_frame {
 /* step_tas.c. UM_ERR_INPUT: "file:line: #id NAME 'its own name': text". */
 enum um_status um_geometry_tas_fail(const struct um_geometry_tas *t, um_geometry_tas_item of,
                                     const char *format, ...) UM_PRINTF(3, 4);
+/* A text of an item, as messages and OBJ take it; "" where it has none. */
+void um_geometry_tas_text(const struct um_geometry_tas *t, um_geometry_tas_item of, int index,
+                          char out[256]);
 /* printf at the end of the OBJ. */
 enum um_status um_geometry_tas_put(struct um_geometry_tas *t, const char *format, ...)
     UM_PRINTF(2, 3);

@@ -86,6 +86,42 @@ static void test_mesh(void **state)
   command_release(&c);
 }
 
+/* A thermal model brings its optical properties: a record each, but of what the library has. */
+static void test_thermal_model(void **state)
+{
+  (void)state;
+  command_write(
+      "model.stp",
+      "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('tas_arm'));\nENDSEC;\nDATA;\n"
+      "#1=NRF_EXTENDED_SI_UNIT(*,*,$,'','metre');\n"
+      "#2=NRF_REAL_QUANTITY_TYPE(*,*,*,*,*,*,$,#1,$,$,.T.,$,.T.);\n"
+      "#3=NRF_MATERIAL('Low e','','',$,$);\n#4=NRF_MATERIAL('white_paint','','',$,$);\n"
+      "#5=NRF_REAL_QUANTITY_VALUE_LITERAL(#2,(0.25),());\n"
+      "#6=NRF_REAL_QUANTITY_VALUE_LITERAL(#2,(0.),());\n"
+      "#7=NRF_REAL_QUANTITY_VALUE_LITERAL(#2,(0.8),());\n"
+      "#10=MGM_MESHED_GEOMETRIC_MODEL('m','','',$,$,$,(#20),(),(),(),(),(),(),(),(),(#3,#4),"
+      "$,(((#5,#6,#6,#7,#6,#5),(#5,#6,#6,#6,#6,#7))),$,#20,());\n"
+      "#20=MGM_MESHED_PRIMITIVE_BOUNDED_SURFACE('wall','','',$,$,$,#21,.BOTH.,$,$,#3,#4,$,$,"
+      "$,$,1,1,$,$,$,$,(),());\n"
+      "#21=MGM_RECTANGLE(#20,#22,#23,#24);\n#22=MGM_3D_CARTESIAN_POINT($,0.,0.,0.,#2);\n"
+      "#23=MGM_3D_CARTESIAN_POINT($,1.,0.,0.,#2);\n#24=MGM_3D_CARTESIAN_POINT($,0.,1.,0.,#2)"
+      ";\nENDSEC;\nEND-ISO-10303-21;\n");
+  command_expect(0, "new", "thermal", "--from", "model.stp", NULL);
+  char *text = command_read("thermal/scenario.yaml");
+  expect_in(text, "\"wall\": {front: Low_e, back: white_paint}");
+  expect_in(text, "\nmaterial_files:\n  - material_Low_e.yaml\n");
+  assert_null(strstr(text, "white_paint.yaml"));
+  free(text);
+  text = command_read("thermal/material_Low_e.yaml");
+  expect_in(text, "grey:\n  solar_absorptance: 0.25\n  emittance: 0.25\n  "
+                  "vis_reflectance_diffuse: 0.15\n  specular_reflectance: 0.6\n");
+  free(text);
+  struct command c = command_run("check", "thermal", NULL);
+  assert_int_equal(c.code, 0);
+  expect_in(c.out, "Low_e                           1.0000      0.250      0.250");
+  command_release(&c);
+}
+
 /* ENVISAT's elements of its scenario: a pass at night that crosses the shadow's edge, as a scenario
  * of that time says; the station's name is free. */
 static void test_elements(void **state)
@@ -166,6 +202,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(test_template, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_mesh, command_enter, command_leave),
+      cmocka_unit_test_setup_teardown(test_thermal_model, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_elements, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_message, command_enter, command_leave),
       cmocka_unit_test_setup_teardown(test_refusals, command_enter, command_leave)};

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "geometry/obj_look.h"
+#include "geometry/step_tas.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char head[] = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('tas_arm'));\nENDSEC;\n";
@@ -26,5 +27,12 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
     um_fuzz_finite(look.high.x - look.low.x, "the size");
   }
   um_geometry_obj_look_clear(context, &look);
+  struct um_geometry_step_tas_optical *optical;
+  size_t noptical;
+  if (um_fuzz_good(context, um_geometry_step_tas_materials(context, path, &optical, &noptical)))
+    for (size_t i = 0; i < noptical; i++)
+      if (!(optical[i].emittance >= 0.0 && optical[i].emittance <= 1.0))
+        um_fuzz_finding("an emittance of %g", optical[i].emittance);
+  um_core_free(context, optical);
   free(whole);
 }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "geometry/obj_look.h"
+#include "geometry/step_tas.h"
 #include "tests/geometry/support.h"
 #include "tests/support/temporary.h"
 #include "tests/support/with_context.h"
@@ -330,6 +331,58 @@ static void many_surfaces(void **state)
   free(text);
 }
 
+/* Optical properties of the first of two environments: those of #6 in full, of #7 four; a bulk
+ * material without any is left out. */
+#define OPTICS(rows)                                                                               \
+  HEAD RECTANGLE                                                                                   \
+      "#9=NRF_MATERIAL('bulk','','',$,$);\n#10=MGM_MESHED_GEOMETRIC_MODEL('m','','',$,$,$,(#40),(" \
+      "),"                                                                                         \
+      "(),(),(),(),(),(),(),(#6,#7,#9),$,(" rows                                                   \
+      "),$,#40,());\n" SURFACE("40", "r", "$", "#53", ".BOTH.", "#6", "#7", "1,1,$,$,$,$")         \
+          VALUE("80", "0.2", "11") VALUE("81", "0.05", "11") VALUE("82", "0.1", "11")              \
+              VALUE("83", "0.4", "11") VALUE("84", "1.5", "11") VALUE("85", "0.88", "11")          \
+                  VALUE("86", "0.0", "11") TAIL
+static void materials(void **state)
+{
+  (void)state;
+  char path[UM_TEST_PATH];
+  struct um_geometry_step_tas_optical *optical;
+  size_t n;
+  static const char text[] =
+      OPTICS("((#80,#81,#82,#83,#84,#85,#86,#86,#83,#84,#80),(#85,#86,#86,#86,"
+             "#86,#80),(#86,#86)),((#85),(#85),(#85))");
+  um_test_file_create(path, text, strlen(text));
+  if (um_geometry_step_tas_materials(context, path, &optical, &n) != UM_OK)
+    fail_msg("%s", um_core_message(context));
+  unlink(path);
+  assert_int_equal(n, 2);
+  assert_string_equal(optical[0].name, "white_paint");
+  assert_close(optical[0].solar_absorptance, 0.2, 0.0);
+  assert_close(optical[0].solar_transmittance, 0.15, 1e-15);
+  assert_close(optical[0].solar_specularity, 0.4, 0.0);
+  assert_close(optical[0].emittance, 0.88, 0.0);
+  assert_string_equal(optical[1].name, "cell's");
+  assert_close(optical[1].solar_absorptance, 0.88, 0.0);
+  assert_close(optical[1].emittance, 0.2, 0.0);
+  um_core_free(context, optical);
+  static const struct {
+    const char *text, *says;
+  } faults[] = {
+      {OPTICS("((#84))"),
+       "#6 NRF_MATERIAL 'white_paint': its optical properties; expected: shares"},
+      {OPTICS("((#80,#85))"), "absorbs and lets through more than arrives"},
+      {OPTICS("(#80)"), "expected: a list of its properties"},
+  };
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+    um_test_file_create(path, faults[i].text, strlen(faults[i].text));
+    assert_int_equal(um_geometry_step_tas_materials(context, path, &optical, &n), UM_ERR_INPUT);
+    if (strstr(um_core_message(context), faults[i].says) == NULL)
+      fail_msg("'%s' is not said: %s", faults[i].says, um_core_message(context));
+    um_core_message_clear(context);
+    unlink(path);
+  }
+}
+
 /* --- cuts --------------------------------------------------------------------------------------
  */
 
@@ -345,8 +398,8 @@ static void many_surfaces(void **state)
 #define CENTRE                                                                                     \
   POINT("70", "0.47", "1.03", "-0.1", "11")                                                        \
   POINT("71", "0.47", "1.03", "0.3", "11")                                                         \
-  POINT("72", "0.97", "1.03", "-0.1", "11") POINT("73", "0.47", "1.33", "-0.1", "11")              \
-      VALUE("74", "0.3", "11") VALUE("75", "0.1", "11")
+  POINT("72", "0.97", "1.03", "-0.1", "11")                                                        \
+  POINT("73", "0.47", "1.33", "-0.1", "11") VALUE("74", "0.3", "11") VALUE("75", "0.1", "11")
 
 /* Length of edges that one facet alone has: the outline, and what a hanging corner would add. */
 static double open_edges(const struct support *s)
@@ -536,6 +589,7 @@ int main(void)
                                      cmocka_unit_test(many_surfaces),
                                      cmocka_unit_test(refuses_geometry),
                                      cmocka_unit_test(refuses_files),
+                                     cmocka_unit_test(materials),
                                      cmocka_unit_test(cut_plates),
                                      cmocka_unit_test(cut_places),
                                      cmocka_unit_test(cut_short)};
