@@ -2,6 +2,23 @@
  * messages of CNES, logs of visual observers. */
 #include "tests/evidence/import_test.h"
 
+static const struct um_compare_columns tracks = {
+    .time = "time_utc", .magnitude = "MAG", .track = "track", .band = "V"};
+
+/* Three magnitudes of two tracks, 0, 60.5 and 120 s after the first. */
+static void expect_tracks(const char *text)
+{
+  struct um_compare_imported found;
+  struct um_compare_measurements *m = import(text, &tracks, &found);
+  assert_int_equal(m->count, 3);
+  assert_int_equal(m->ntrack, 2);
+  assert_close(m->row[0].value, 7.25, 0.0);
+  assert_close(m->row[1].value, -0.5, 0.0);
+  assert_close(m->row[1].t_tai - m->row[0].t_tai, 60.5, 1e-6);
+  assert_close(m->row[2].t_tai - m->row[0].t_tai, 120.0, 1e-6);
+  um_compare_measurements_destroy(context, &m);
+}
+
 /* Magnitudes of a tracking data message; TAI was 36 s ahead of UTC in 2016. */
 static void test_tracking_message(void **state)
 {
@@ -14,17 +31,7 @@ static void test_tracking_message(void **state)
                       "MAG = 2016-09-21T20:33:00 7.25\nMAG=2016-265T20:34:00.5   -0.5\r\n"
                       "DATA_STOP\n" META("TAI") "DATA_START\n"
                                                 "MAG = 2016-09-21T20:35:36.000 7\nDATA_STOP\n";
-  struct um_compare_columns columns = {
-      .time = "time_utc", .magnitude = "MAG", .track = "track", .band = "V"};
-  struct um_compare_imported found;
-  struct um_compare_measurements *m = import(text, &columns, &found);
-  assert_int_equal(m->count, 3);
-  assert_int_equal(m->ntrack, 2);
-  assert_close(m->row[0].value, 7.25, 0.0);
-  assert_close(m->row[1].value, -0.5, 0.0);
-  assert_close(m->row[1].t_tai - m->row[0].t_tai, 60.5, 1e-6);
-  assert_close(m->row[2].t_tai - m->row[0].t_tai, 120.0, 1e-6);
-  um_compare_measurements_destroy(context, &m);
+  expect_tracks(text);
   static const struct fault faults[] = {
       {TDM META("UTC") "DATA_START\nRANGE = 2016-09-21T20:33:00 900\nDATA_STOP\n",
        "t.txt: this TDM has no magnitudes; accepted: MAG rows, of which measurements are made"},
@@ -39,7 +46,7 @@ static void test_tracking_message(void **state)
       {TDM "DATA_START\n", "t.txt:6: 'DATA_START'; accepted: META_START before it"},
       {TDM "rubbish\n", "t.txt:6: 'rubbish'; accepted: KEYWORD = value"},
   };
-  expect_refused(faults, sizeof faults / sizeof *faults, &columns);
+  expect_refused(faults, sizeof faults / sizeof *faults, &tracks);
 }
 
 /* The same in XML: lines of messages are the file's, and a file without line ends has its rows. */
@@ -56,17 +63,7 @@ static void test_tracking_xml(void **state)
           SEEN("2016-09-21T20:33:00", "<MAG>7.25</MAG>")
               SEEN("2016-265T20:34:00.5", "<MAG> -0.5 </MAG>") "</data></segment>" XML("TAI") SEEN(
                   "2016-09-21T20:35:36.000", "<MAG>7</MAG>") "</data></segment></body></tdm></ndm>";
-  struct um_compare_columns columns = {
-      .time = "time_utc", .magnitude = "MAG", .track = "track", .band = "V"};
-  struct um_compare_imported found;
-  struct um_compare_measurements *m = import(text, &columns, &found);
-  assert_int_equal(m->count, 3);
-  assert_int_equal(m->ntrack, 2);
-  assert_close(m->row[0].value, 7.25, 0.0);
-  assert_close(m->row[1].value, -0.5, 0.0);
-  assert_close(m->row[1].t_tai - m->row[0].t_tai, 60.5, 1e-6);
-  assert_close(m->row[2].t_tai - m->row[0].t_tai, 120.0, 1e-6);
-  um_compare_measurements_destroy(context, &m);
+  expect_tracks(text);
   static const struct fault faults[] = {
       {"<tdm>\n" XML("UTC") "\n\n" SEEN("2016-09-21T20:33:00", "<MAG>bright</MAG>"),
        "t.txt:4: 'bright'; accepted: a magnitude"},
@@ -80,7 +77,7 @@ static void test_tracking_xml(void **state)
       {"<ndm/>", "t.txt: no element tdm; accepted: navigation messages (NDM/XML) with one"},
       {"<tdm>" XML("UTC"), "t.txt:1: not XML as it should be: no element found"},
   };
-  expect_refused(faults, sizeof faults / sizeof *faults, &columns);
+  expect_refused(faults, sizeof faults / sizeof *faults, &tracks);
 }
 
 /* Data messages of CNES: a value a row in two segments, then three, one of them a text. The keys
