@@ -12,7 +12,7 @@
 
 #define TOOL  7
 #define SIDES 72
-#define ROWS  (SIDES / 2)
+#define ROWS  36 /* of planes of a sphere */
 
 static enum um_status add_plane(struct um_context *context, struct um_geometry_tas_solid *solid,
                                 struct um_vec3 normal, struct um_vec3 at)
