@@ -21,6 +21,7 @@ struct um_app_new_materials {
   char **name;           /* [n] of the records */
   char **file, **stands; /* [n]; what the mesh calls them */
   size_t n;
+  bool metres; /* the mesh is of a format that has units */
 };
 /* Records of the optical properties that a mesh of STEP-TAS at `path` states, grey, of those that
  * are none of record[nrecord]; `from`: what the records say they are from. None of other meshes.

@@ -93,7 +93,7 @@ enum um_status um_app_new_materials(struct um_context *context, struct um_core_f
   struct um_geometry_step_tas_optical *optical = NULL;
   size_t n = 0;
   *out = (struct um_app_new_materials){0};
-  enum um_status status = um_geometry_step_tas_materials(context, path, &optical, &n);
+  enum um_status status = um_geometry_step_tas_materials(context, path, &optical, &n, &out->metres);
   for (size_t i = 0; i < n && status == UM_OK; i++)
     if (!is_among(record, nrecord, optical[i].name) &&
         !is_among(out->stands, out->n, optical[i].name))

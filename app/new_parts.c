@@ -179,7 +179,7 @@ enum um_status um_app_new_parts(struct um_context *context, char **text, const c
   enum um_status status;
   struct page page = {NULL, 0, NULL};
   double size = um_vec3_norm(um_vec3_sub(look->high, look->low)); /* [units of the file] */
-  *scale = size > MILLIMETRES ? 0.001 : 1.0;
+  *scale = size > MILLIMETRES && !own->metres ? 0.001 : 1.0;
   UM_TRY(check_groups(context, name, look));
   page.file = open_memstream(&page.text, &page.length);
   if (page.file == NULL) return um_core_fail(context, UM_ERR_MEMORY, "out of memory");

@@ -12,10 +12,12 @@ struct um_geometry_step_tas_optical {
   double emittance, infrared_transmittance, infrared_specularity;
 };
 
-/* Those of a file's first environment: out[*n], the caller frees; none of a file that is no
- * STEP-TAS. Materials with no optical value are left out. UM_ERR_IO, UM_ERR_MEMORY; UM_ERR_INPUT
- * with file and line. Source: ESA STEP-TAS 6.0, tas_arm, as pycanha's reader takes it. */
+/* Those of a file's first environment: out[*n], the caller frees; none, and *is false, of a file
+ * that is no STEP-TAS. Materials with no optical value are left out. UM_ERR_IO, UM_ERR_MEMORY;
+ * UM_ERR_INPUT with file and line. Source: ESA STEP-TAS 6.0, tas_arm, as pycanha's reader takes it.
+ */
 enum um_status um_geometry_step_tas_materials(struct um_context *context, const char *path,
-                                              struct um_geometry_step_tas_optical **out, size_t *n);
+                                              struct um_geometry_step_tas_optical **out, size_t *n,
+                                              bool *is);
 
 #endif

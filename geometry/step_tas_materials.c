@@ -93,7 +93,8 @@ static enum um_status read_model(const struct um_geometry_tas *t, um_geometry_ta
 }
 
 enum um_status um_geometry_step_tas_materials(struct um_context *context, const char *path,
-                                              struct um_geometry_step_tas_optical **out, size_t *n)
+                                              struct um_geometry_step_tas_optical **out, size_t *n,
+                                              bool *is)
 {
   enum um_status status;
   char *text = NULL;
@@ -101,8 +102,10 @@ enum um_status um_geometry_step_tas_materials(struct um_context *context, const 
   struct um_geometry_tas t = {.context = context, .path = path};
   *out = NULL;
   *n = 0;
+  *is = false;
   UM_CHECK(um_core_file_read(context, path, BYTES_MAX, &text, &length));
-  if (!um_geometry_step_tas_is(text, length)) goto done;
+  *is = um_geometry_step_tas_is(text, length);
+  if (!*is) goto done;
   UM_CHECK(um_geometry_part21_read(context, path, text, length, is_wanted, &t.file));
   for (size_t i = 0; i < t.file.ninstance; i++)
     if (um_geometry_part21_is(t.file.instance[i].name, MODEL))

@@ -86,7 +86,8 @@ static void test_mesh(void **state)
   command_release(&c);
 }
 
-/* A thermal model brings its optical properties: a record each, but of what the library has. */
+/* A thermal model brings its optical properties: a record each, but of what the library has. It has
+ * units, so that 200 m are no millimetres. */
 static void test_thermal_model(void **state)
 {
   (void)state;
@@ -104,7 +105,7 @@ static void test_thermal_model(void **state)
       "#20=MGM_MESHED_PRIMITIVE_BOUNDED_SURFACE('wall','','',$,$,$,#21,.BOTH.,$,$,#3,#4,$,$,"
       "$,$,1,1,$,$,$,$,(),());\n"
       "#21=MGM_RECTANGLE(#20,#22,#23,#24);\n#22=MGM_3D_CARTESIAN_POINT($,0.,0.,0.,#2);\n"
-      "#23=MGM_3D_CARTESIAN_POINT($,1.,0.,0.,#2);\n#24=MGM_3D_CARTESIAN_POINT($,0.,1.,0.,#2)"
+      "#23=MGM_3D_CARTESIAN_POINT($,200.,0.,0.,#2);\n#24=MGM_3D_CARTESIAN_POINT($,0.,1.,0.,#2)"
       ";\nENDSEC;\nEND-ISO-10303-21;\n");
   command_expect(0, "new", "thermal", "--from", "model.stp", NULL);
   char *text = command_read("thermal/scenario.yaml");
@@ -118,7 +119,7 @@ static void test_thermal_model(void **state)
   free(text);
   struct command c = command_run("check", "thermal", NULL);
   assert_int_equal(c.code, 0);
-  expect_in(c.out, "Low_e                           1.0000      0.250      0.250");
+  expect_in(c.out, "Low_e                         200.0000      0.250      0.250");
   command_release(&c);
 }
 

@@ -29,7 +29,9 @@ void um_fuzz_one(struct um_context *context, const uint8_t *data, size_t size)
   um_geometry_obj_look_clear(context, &look);
   struct um_geometry_step_tas_optical *optical;
   size_t noptical;
-  if (um_fuzz_good(context, um_geometry_step_tas_materials(context, path, &optical, &noptical)))
+  bool is;
+  if (um_fuzz_good(context,
+                   um_geometry_step_tas_materials(context, path, &optical, &noptical, &is)))
     for (size_t i = 0; i < noptical; i++)
       if (!(optical[i].emittance >= 0.0 && optical[i].emittance <= 1.0))
         um_fuzz_finding("an emittance of %g", optical[i].emittance);

@@ -348,13 +348,15 @@ static void materials(void **state)
   char path[UM_TEST_PATH];
   struct um_geometry_step_tas_optical *optical;
   size_t n;
+  bool is;
   static const char text[] =
       OPTICS("((#80,#81,#82,#83,#84,#85,#86,#86,#83,#84,#80),(#85,#86,#86,#86,"
              "#86,#80),(#86,#86)),((#85),(#85),(#85))");
   um_test_file_create(path, text, strlen(text));
-  if (um_geometry_step_tas_materials(context, path, &optical, &n) != UM_OK)
+  if (um_geometry_step_tas_materials(context, path, &optical, &n, &is) != UM_OK)
     fail_msg("%s", um_core_message(context));
   unlink(path);
+  assert_true(is);
   assert_int_equal(n, 2);
   assert_string_equal(optical[0].name, "white_paint");
   assert_close(optical[0].solar_absorptance, 0.2, 0.0);
@@ -375,7 +377,8 @@ static void materials(void **state)
   };
   for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
     um_test_file_create(path, faults[i].text, strlen(faults[i].text));
-    assert_int_equal(um_geometry_step_tas_materials(context, path, &optical, &n), UM_ERR_INPUT);
+    assert_int_equal(um_geometry_step_tas_materials(context, path, &optical, &n, &is),
+                     UM_ERR_INPUT);
     if (strstr(um_core_message(context), faults[i].says) == NULL)
       fail_msg("'%s' is not said: %s", faults[i].says, um_core_message(context));
     um_core_message_clear(context);
