@@ -32,6 +32,7 @@ test("the file that is saved has every digit of the data", () =>
       await page.locator(`figure[data-id="${figure.id}"]`).getByRole("button", { name: /as CSV/ }).click();
       const download = await waiting;
       assert.equal(download.suggestedFilename(), `${figure.id}.csv`);
+      await page.waitForTimeout(500); // Chromium lets ten files through within seconds, and drops the next
       const rows = parse(readFileSync(await download.path(), "utf8"));
       assert.ok(rows.length > 1, figure.id);
       const column = (name) => rows.slice(1).map((r) => r[rows[0].indexOf(name)]);
