@@ -21,7 +21,7 @@ struct reader {
   um_geometry_part21_wanted wanted;
 };
 
-/* "file:line: found; expected: ..." at the place that is read. */
+/* "file:line: found; accepted: ..." at the place that is read. */
 static enum um_status fail(const struct reader *r, const char *expected)
 {
   char found[24] = "the end of the file";
@@ -30,7 +30,7 @@ static enum um_status fail(const struct reader *r, const char *expected)
     while (n < 12 && n < left && r->at[n] > ' ' && r->at[n] < 0x7f) n++;
     snprintf(found, sizeof found, "'%.*s'", (int)n, r->at);
   }
-  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: %s in a STEP file; expected: %s", r->path,
+  return um_core_fail(r->context, UM_ERR_INPUT, "%s:%d: %s in a STEP file; accepted: %s", r->path,
                       r->line, found, expected);
 }
 
@@ -318,7 +318,7 @@ enum um_status um_geometry_part21_read(struct um_context *context, const char *p
   for (size_t i = 1; i < out->ninstance; i++)
     if (out->instance[i].id == out->instance[i - 1].id)
       return um_core_fail(context, UM_ERR_INPUT,
-                          "%s:%d: #%llu is given a second time, after line %d; expected: one "
+                          "%s:%d: #%llu is given a second time, after line %d; accepted: one "
                           "instance of each number",
                           path, out->instance[i].line, (unsigned long long)out->instance[i].id,
                           out->instance[i - 1].line);

@@ -149,7 +149,7 @@ static enum um_status put_surface(struct um_geometry_tas *t, um_geometry_tas_ite
       side++;
   if (side == 4)
     return um_geometry_tas_fail(t, surface,
-                                "its active side; expected: .BOTH., .SIDE1., .SIDE2. "
+                                "its active side; accepted: .BOTH., .SIDE1., .SIDE2. "
                                 "or .NONE.");
   if (side == 3) {
     if (t->idle++ == 0) t->first_idle = surface;
@@ -192,9 +192,9 @@ static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item i
   uint32_t next = 0, end = 0;
   uint8_t *seen = &t->seen[item - t->file.instance];
   if (*seen & PLACED)
-    return um_geometry_tas_fail(t, item, "stands in two items; expected: each in one");
+    return um_geometry_tas_fail(t, item, "stands in two items; accepted: each in one");
   if (depth == DEEPEST)
-    return um_geometry_tas_fail(t, item, "stands too deep; expected: at most %d items within items",
+    return um_geometry_tas_fail(t, item, "stands too deep; accepted: at most %d items within items",
                                 DEEPEST);
   *seen |= PLACED;
   UM_TRY(um_geometry_tas_place(t, item, PLACE, outer, &frame));
@@ -202,7 +202,7 @@ static enum um_status put_item(struct um_geometry_tas *t, um_geometry_tas_item i
   if (um_geometry_part21_is(item->name, CUT)) return put_cut(t, item, parent, &frame, depth);
   if (!is_compound(item))
     return um_geometry_tas_fail(t, item,
-                                "is no item that is read; expected: a surface, a "
+                                "is no item that is read; accepted: a surface, a "
                                 "compound of surfaces or a cut one");
   UM_TRY(um_geometry_tas_list(t, item, ITEMS, &next, &end));
   t->cut = NULL; /* surfaces of a compound that is cut keep their names */
@@ -251,7 +251,7 @@ static enum um_status put_models(struct um_geometry_tas *t)
   }
   if (any && t->nfacet > 0) return UM_OK;
   return um_core_fail(t->context, UM_ERR_INPUT,
-                      "%s: this STEP-TAS holds no %s; expected: a "
+                      "%s: this STEP-TAS holds no %s; accepted: a "
                       "geometric model with surfaces",
                       t->path, any ? "surface with an active side" : MODEL);
 }

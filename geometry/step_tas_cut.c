@@ -6,8 +6,11 @@
 #include "geometry/patch_impl.h"
 #include "geometry/step_tas_impl.h"
 
-#define NEAR    1e-9 /* of the surface's size: on a plane, on an edge */
-#define SLIVER  1e-7 /* twice the area over the longest edge squared: nothing */
+#define NEAR   1e-9 /* of the surface's size: on a plane, on an edge */
+#define SLIVER 1e-7 /* twice the area over the longest edge squared: nothing */
+#define FACETS                                                                                     \
+  20000              /* of a surface that is cut: every edge is held against every point of a cut  \
+                      */
 #define CORNERS 4096 /* of a face, as OBJ takes them */
 
 /* --- pieces ---------------------------------------------------------------------------------- */
@@ -45,13 +48,21 @@ static const struct um_vec3 *piece(const struct um_geometry_tas_pieces *pieces, 
   return pieces->corner + first;
 }
 
-/* A cut: what is left, points that it made, room for two polygons. */
+/* A cut: points that it made, room for two polygons, which a split makes one corner longer. */
 struct cut {
-  struct um_context *context;
+  const struct um_geometry_tas *t;
+  um_geometry_tas_item surface;       /* for messages */
   struct um_geometry_tas_pieces made; /* a point a piece */
   struct um_vec3 *in, *out;           /* [CORNERS] */
   double near;                        /* [m] */
 };
+
+static enum um_status check_corners(const struct cut *c, size_t n)
+{
+  if (n < CORNERS) return UM_OK;
+  return um_geometry_tas_fail(c->t, c->surface,
+                              "a cut piece of %zu corners; accepted: fewer than %d", n, CORNERS);
+}
 
 static bool has_area(const struct um_vec3 *p, size_t n)
 {
@@ -91,7 +102,7 @@ static enum um_status split(struct cut *c, const struct um_geometry_tas_plane *p
     struct um_vec3 at = x > 0.0 ? crossing(a, x, b, y) : crossing(b, y, a, x);
     c->out[(*nout)++] = at;
     c->in[(*nin)++] = at;
-    UM_TRY(um_geometry_tas_pieces_add(c->context, &c->made, &at, 1));
+    UM_TRY(um_geometry_tas_pieces_add(c->t->context, &c->made, &at, 1));
   }
   return UM_OK;
 }
@@ -116,13 +127,15 @@ static enum um_status subtract(struct cut *c, const struct um_geometry_tas_solid
   enum um_status status = UM_OK;
   struct um_vec3 *rest = NULL;
   size_t left = n, before = to->n, corners = to->ncorner, made = c->made.n;
-  if (is_apart(c, solid, p, n)) return um_geometry_tas_pieces_add(c->context, to, p, n);
-  UM_CHECK(um_core_allocate(c->context, n + solid->n + 2, sizeof *rest, &rest));
+  if (is_apart(c, solid, p, n)) return um_geometry_tas_pieces_add(c->t->context, to, p, n);
+  UM_CHECK(um_core_allocate(c->t->context, n + solid->n + 2, sizeof *rest, &rest));
   memcpy(rest, p, n * sizeof *p);
   for (size_t k = 0; k < solid->n && left > 0; k++) {
     size_t nout, nin;
+    UM_CHECK(check_corners(c, left));
     UM_CHECK(split(c, &solid->plane[k], rest, left, &nout, &nin));
-    if (has_area(c->out, nout)) UM_CHECK(um_geometry_tas_pieces_add(c->context, to, c->out, nout));
+    if (has_area(c->out, nout))
+      UM_CHECK(um_geometry_tas_pieces_add(c->t->context, to, c->out, nout));
     left = has_area(c->in, nin) ? nin : 0;
     memcpy(rest, c->in, left * sizeof *rest);
   }
@@ -130,71 +143,73 @@ static enum um_status subtract(struct cut *c, const struct um_geometry_tas_solid
     to->n = before;
     to->ncorner = corners;
     c->made.n = c->made.ncorner = made;
-    UM_CHECK(um_geometry_tas_pieces_add(c->context, to, p, n));
+    UM_CHECK(um_geometry_tas_pieces_add(c->t->context, to, p, n));
   }
 done:
-  um_core_free(c->context, rest);
+  um_core_free(c->t->context, rest);
   return status;
 }
 
 /* --- what is left ----------------------------------------------------------------------------- */
 
-/* Corners of a piece with the points that the cut made on its edges: to[*n]. */
-static enum um_status with_points(struct um_geometry_tas *t, um_geometry_tas_item surface,
-                                  const struct cut *c, const struct um_vec3 *p, size_t corners,
+/* The point that the cut made on an edge, from a along a unit vector, next behind a place: how far
+ * it is from a; `to` where there is none. */
+static double next_point(const struct cut *c, struct um_vec3 a, struct um_vec3 along, double from,
+                         double to)
+{
+  for (size_t k = 0; k < c->made.n; k++) {
+    struct um_vec3 m = um_vec3_sub(c->made.corner[k], a);
+    double s = um_vec3_dot(m, along);
+    if (!(s > from && s < to)) continue;
+    struct um_vec3 beside = um_vec3_axpy(m, -s, along);
+    if (um_vec3_dot(beside, beside) < c->near * c->near) to = s;
+  }
+  return to;
+}
+
+/* Corners of a piece with the points that the cut made on its edges: to[*n], room for CORNERS. */
+static enum um_status with_points(const struct cut *c, const struct um_vec3 *p, size_t corners,
                                   struct um_vec3 *to, size_t *n)
 {
   *n = 0;
   for (size_t i = 0; i < corners; i++) {
     struct um_vec3 a = p[i], edge = um_vec3_sub(p[(i + 1) % corners], a);
-    double length = um_vec3_norm(edge), from = c->near;
+    double length = um_vec3_norm(edge);
     struct um_vec3 along = um_vec3_scale(edge, 1.0 / length);
-    to[(*n)++] = a;
-    for (bool found = true; found;) { /* the next point along the edge */
-      double next = length - c->near;
-      found = false;
-      for (size_t k = 0; k < c->made.n; k++) {
-        struct um_vec3 m = um_vec3_sub(c->made.corner[k], a);
-        double s = um_vec3_dot(m, along);
-        if (!(s > from && s < next)) continue;
-        struct um_vec3 beside = um_vec3_axpy(m, -s, along);
-        if (!(um_vec3_dot(beside, beside) < c->near * c->near)) continue;
-        next = s;
-        found = true;
-      }
-      if (!found) break;
-      if (*n >= CORNERS)
-        return um_geometry_tas_fail(t, surface,
-                                    "a cut piece has more than %d corners; at most "
-                                    "that many are accepted",
-                                    CORNERS);
-      to[(*n)++] = um_vec3_axpy(a, next, along);
-      from = next + c->near;
+    for (double at = 0.0; at < length - c->near;) {
+      UM_TRY(check_corners(c, *n));
+      to[(*n)++] = um_vec3_axpy(a, at, along);
+      at = next_point(c, a, along, at + c->near, length - c->near);
     }
   }
   return UM_OK;
 }
 
-static enum um_status put_pieces(struct um_geometry_tas *t, um_geometry_tas_item surface,
-                                 const struct cut *c, const struct um_geometry_tas_pieces *pieces)
+static enum um_status check_facets(const struct um_geometry_tas *t, um_geometry_tas_item surface,
+                                   size_t n)
+{
+  if (n <= UM_GEOMETRY_MAX_FACETS) return UM_OK;
+  return um_geometry_tas_fail(t, surface, "more than %zu facets up to here; accepted: no more",
+                              UM_GEOMETRY_MAX_FACETS);
+}
+
+static enum um_status put_pieces(struct um_geometry_tas *t, const struct cut *c,
+                                 const struct um_geometry_tas_pieces *pieces)
 {
   struct um_vec3 *corner = c->in; /* split is done */
   for (size_t i = 0; i < pieces->n; i++) {
     size_t n, corners, first = t->nvertex + 1;
     const struct um_vec3 *p = piece(pieces, i, &corners);
     UM_TRY(um_core_stop_check(t->context, "a mesh was read"));
-    UM_TRY(with_points(t, surface, c, p, corners, corner, &n));
-    for (size_t k = 0; k < n; k++) UM_TRY(um_geometry_tas_put_vertex(t, surface, corner[k]));
+    UM_TRY(with_points(c, p, corners, corner, &n));
+    if (n < 3) continue; /* all but a point or a line of it is nearer than can be told apart */
+    for (size_t k = 0; k < n; k++) UM_TRY(um_geometry_tas_put_vertex(t, c->surface, corner[k]));
     UM_TRY(um_geometry_tas_put(t, "f"));
     for (size_t k = 0; k < n; k++) UM_TRY(um_geometry_tas_put(t, " %zu", first + k));
     UM_TRY(um_geometry_tas_put(t, "\n"));
     t->nfacet += n - 2;
   }
-  if (t->nfacet <= UM_GEOMETRY_MAX_FACETS) return UM_OK;
-  return um_geometry_tas_fail(t, surface,
-                              "more than %zu facets up to here; at most that many are "
-                              "accepted",
-                              UM_GEOMETRY_MAX_FACETS);
+  return check_facets(t, c->surface, t->nfacet);
 }
 
 static double size_of(const struct um_geometry_tas_pieces *pieces)
@@ -210,7 +225,10 @@ enum um_status um_geometry_tas_put_cut(struct um_geometry_tas *t, um_geometry_ta
 {
   enum um_status status;
   struct um_geometry_tas_pieces now = {0}, then = {0};
-  struct cut c = {.context = t->context, .near = NEAR * size_of(whole)};
+  struct cut c = {.t = t, .surface = surface, .near = NEAR * size_of(whole)};
+  if (whole->n > FACETS)
+    return um_geometry_tas_fail(t, surface, "a cut surface of %zu facets; accepted: at most %d",
+                                whole->n, FACETS);
   UM_CHECK(um_core_allocate(t->context, CORNERS + 2, sizeof *c.in, &c.in));
   UM_CHECK(um_core_allocate(t->context, CORNERS + 2, sizeof *c.out, &c.out));
   for (size_t s = 0; s < t->nsolid; s++) {
@@ -220,13 +238,14 @@ enum um_status um_geometry_tas_put_cut(struct um_geometry_tas *t, um_geometry_ta
       const struct um_vec3 *p = piece(from, i, &n);
       UM_CHECK(um_core_stop_check(t->context, "a mesh was read"));
       UM_CHECK(subtract(&c, &t->solid[s], p, n, &then));
+      UM_CHECK(check_facets(t, surface, then.n));
     }
     struct um_geometry_tas_pieces old = now;
     now = then;
     then = old;
     then.n = then.ncorner = 0;
   }
-  UM_CHECK(put_pieces(t, surface, &c, &now));
+  UM_CHECK(put_pieces(t, &c, &now));
 done:
   um_geometry_tas_pieces_clear(t->context, &now);
   um_geometry_tas_pieces_clear(t->context, &then);

@@ -117,7 +117,7 @@ static enum um_status read_grid(const struct um_geometry_tas *t, um_geometry_tas
   if (um_geometry_tas_attribute(t, surface, COUNT + way) != NULL)
     UM_TRY(um_geometry_tas_number(t, surface, COUNT + way, &count));
   if (!(count >= 1.0 && count <= UM_TAS_FACES && count == floor(count)))
-    return um_geometry_tas_fail(t, surface, "%g faces in a direction; expected: 1 to %d", count,
+    return um_geometry_tas_fail(t, surface, "%g faces in a direction; accepted: 1 to %d", count,
                                 UM_TAS_FACES);
   *ncell = (size_t)count;
   UM_TRY(um_core_allocate(t->context, *ncell + 1, sizeof **cut, cut));
@@ -132,7 +132,7 @@ static enum um_status read_grid(const struct um_geometry_tas *t, um_geometry_tas
   }
   if (next < end || n != *ncell + 1 || fabs((*cut)[0]) > 1e-9 || fabs((*cut)[*ncell] - 1.0) > 1e-9)
     return um_geometry_tas_fail(t, surface,
-                                "its grid in direction %d; expected: %zu numbers that rise from 0 "
+                                "its grid in direction %d; accepted: %zu numbers that rise from 0 "
                                 "to 1",
                                 way + 1, *ncell + 1);
   (*cut)[0] = 0.0;
@@ -253,7 +253,7 @@ enum um_status um_geometry_tas_put_shape(struct um_geometry_tas *t, um_geometry_
                                   UM_GEOMETRY_MAX_FACETS);
     goto done;
   }
-  t->nfacet += 2 * u.n * v.n;
+  if (t->nsolid == 0) t->nfacet += 2 * u.n * v.n;
   UM_CHECK(put_all(t, surface, frame, &s, &u, &v, turned != (s.kind > UM_TAS_DISC)));
 done:
   UM_FREE(t->context, u.at, v.at);

@@ -31,10 +31,10 @@ static enum um_status refer(const struct um_geometry_tas *t, um_geometry_tas_ite
 {
   *out = NULL;
   if (v == NULL || v->kind != UM_PART21_REFERENCE)
-    return um_geometry_tas_fail(t, of, "expected: %s, as #12", what);
+    return um_geometry_tas_fail(t, of, "accepted: %s, as #12", what);
   *out = um_geometry_part21_find(&t->file, v->id);
   if (*out != NULL) return UM_OK;
-  return um_geometry_tas_fail(t, of, "#%llu is nothing of the file that it may be; expected: %s",
+  return um_geometry_tas_fail(t, of, "#%llu is nothing of the file that it may be; accepted: %s",
                               (unsigned long long)v->id, what);
 }
 
@@ -111,7 +111,7 @@ static enum um_status read_unit(const struct um_geometry_tas *t, um_geometry_tas
     if (um_geometry_part21_is(unit->name, "NRF_EXTENDED_SI_UNIT")) {
       if (!read_prefix(um_geometry_tas_attribute(t, unit, 3), &number) ||
           !is_text(um_geometry_tas_attribute(t, unit, 4), si))
-        return um_geometry_tas_fail(t, unit, "expected: a unit of %s", si);
+        return um_geometry_tas_fail(t, unit, "accepted: a unit of %s", si);
       *factor *= number;
       return UM_OK;
     }
@@ -120,11 +120,11 @@ static enum um_status read_unit(const struct um_geometry_tas *t, um_geometry_tas
     um_geometry_tas_value offset = um_geometry_tas_attribute(t, unit, 5);
     if (!(number > 0.0) ||
         (offset != NULL && !(offset->kind == UM_PART21_NUMBER && offset->number == 0.0)))
-      return um_geometry_tas_fail(t, unit, "expected: a factor above 0 and no offset");
+      return um_geometry_tas_fail(t, unit, "accepted: a factor above 0 and no offset");
     *factor /= number;
     UM_TRY(um_geometry_tas_item_at(t, unit, 3, "a unit", false, &unit));
   }
-  return um_geometry_tas_fail(t, unit, "expected: a unit of %s", si);
+  return um_geometry_tas_fail(t, unit, "accepted: a unit of %s", si);
 }
 
 /* The number of a literal in SI units. */
@@ -139,7 +139,7 @@ static enum um_status read_literal(const struct um_geometry_tas *t, um_geometry_
     return um_geometry_tas_fail(t, of, "attribute %d is no quantity with a real value", index + 1);
   UM_TRY(um_geometry_tas_list(t, literal, 1, &next, &end));
   if (end != next + 1 || t->file.value[next].kind != UM_PART21_NUMBER)
-    return um_geometry_tas_fail(t, literal, "expected: a list of one number");
+    return um_geometry_tas_fail(t, literal, "accepted: a list of one number");
   UM_TRY(read_unit(t, literal, 0, si, &factor));
   *out = factor * t->file.value[next].number;
   return UM_OK;
@@ -191,7 +191,7 @@ static enum um_status read_direction(const struct um_geometry_tas *t, um_geometr
   UM_TRY(read_three(t, direction, 0, out));
   double length = um_vec3_norm(*out);
   if (!(length > 1e-100 && length < 1e100))
-    return um_geometry_tas_fail(t, direction, "has no length; expected: a direction");
+    return um_geometry_tas_fail(t, direction, "has no length; accepted: a direction");
   *out = um_vec3_scale(*out, 1.0 / length);
   return UM_OK;
 }
@@ -206,7 +206,7 @@ static enum um_status read_axes(const struct um_geometry_tas *t, um_geometry_tas
   UM_TRY(read_direction(t, of, 2, &x));
   x = um_vec3_axpy(x, -um_vec3_dot(x, z), z);
   if (!(um_vec3_norm(x) > 1e-6))
-    return um_geometry_tas_fail(t, of, "its two axes are parallel; expected: two directions");
+    return um_geometry_tas_fail(t, of, "its two axes are parallel; accepted: two directions");
   x = um_vec3_unit(x);
   out->turn = um_mat3_transpose(um_mat3_from_axes(x, um_vec3_cross(z, x), z));
   return UM_OK;
@@ -229,7 +229,7 @@ static enum um_status read_step(const struct um_geometry_tas *t, um_geometry_tas
   if (!um_geometry_part21_is(of->name, "MGM_ROTATION_WITH_AXES_FIXED"))
     return um_geometry_tas_fail(
         t, of,
-        "is no place that is read; expected: MGM_AXIS_PLACEMENT, MGM_TRANSLATION, "
+        "is no place that is read; accepted: MGM_AXIS_PLACEMENT, MGM_TRANSLATION, "
         "MGM_ROTATION_WITH_AXES_FIXED or MGM_AXIS_TRANSFORMATION_SEQUENCE of them");
   UM_TRY(read_direction(t, of, 0, &axis));
   UM_TRY(um_geometry_tas_number(t, of, 1, &angle));

@@ -34,7 +34,7 @@ static enum um_status read_share(const struct um_geometry_tas *t, um_geometry_ta
   UM_TRY(um_geometry_tas_list(t, quantity, 1, &next, &end));
   um_geometry_tas_value v = &t->file.value[next];
   if (next >= end || v->kind != UM_PART21_NUMBER || !(v->number >= 0.0 && v->number <= 1.0))
-    return um_geometry_tas_fail(t, material, "its optical properties; expected: shares, 0 to 1");
+    return um_geometry_tas_fail(t, material, "its optical properties; accepted: shares, 0 to 1");
   *out = v->number;
   return UM_OK;
 }
@@ -47,7 +47,7 @@ static enum um_status read_row(const struct um_geometry_tas *t, um_geometry_tas_
   double q[QUANTITIES] = {0.0};
   uint32_t at = row + 1, end = t->file.value[row].end;
   if (t->file.value[row].kind != UM_PART21_LIST)
-    return um_geometry_tas_fail(t, material, "expected: a list of its properties");
+    return um_geometry_tas_fail(t, material, "accepted: a list of its properties");
   for (int i = 0; i < QUANTITIES && at < end; i++, at = t->file.value[at].end)
     if (i != 4) UM_TRY(read_share(t, material, model, at, &q[i]));
   *out = (struct um_geometry_step_tas_optical){.solar_absorptance = q[0],
@@ -58,7 +58,7 @@ static enum um_status read_row(const struct um_geometry_tas *t, um_geometry_tas_
                                                .infrared_specularity = q[8]};
   if (!(q[0] + q[1] + q[2] <= 1.0 + 1e-9 && q[5] + q[6] + q[7] <= 1.0 + 1e-9))
     return um_geometry_tas_fail(t, material,
-                                "absorbs and lets through more than arrives; expected: at most 1 "
+                                "absorbs and lets through more than arrives; accepted: at most 1 "
                                 "together");
   um_geometry_tas_text(t, material, 0, out->name);
   return UM_OK;

@@ -42,7 +42,7 @@ static enum um_status check_plane(const struct um_geometry_tas *t, um_geometry_t
     struct um_vec3 a = um_vec3_sub(p[(i + 1) % corners], p[i]);
     struct um_vec3 b = um_vec3_sub(p[(i + corners - 1) % corners], p[i]);
     if (!(um_vec3_dot(um_vec3_cross(a, b), across) > 1e-10 * um_vec3_dot(across, across)))
-      return um_geometry_tas_fail(t, shape, "corner %d; expected: a convex outline with an area",
+      return um_geometry_tas_fail(t, shape, "corner %d; accepted: a convex outline with an area",
                                   i + 1);
   }
   return UM_OK;
@@ -79,18 +79,18 @@ static enum um_status read_round(const struct um_geometry_tas *t, um_geometry_ta
   x = um_vec3_axpy(x, -um_vec3_dot(x, s->axis), s->axis);
   if (!(s->height > 0.0 && um_vec3_norm(x) > 1e-9 * toward))
     return um_geometry_tas_fail(
-        t, shape, "its three points stand in a line; expected: an axis and a point beside it");
+        t, shape, "its three points stand in a line; accepted: an axis and a point beside it");
   s->x = um_vec3_unit(x);
   s->y = um_vec3_cross(s->axis, s->x);
   s->sweep = end - s->start;
   if (!(s->sweep > 1e-9 && s->sweep <= 2.0 * UM_PI + 1e-9))
     return um_geometry_tas_fail(t, shape,
-                                "%g to %g deg; expected: an end angle up to 360 deg after the "
+                                "%g to %g deg; accepted: an end angle up to 360 deg after the "
                                 "start",
                                 s->start / UM_DEG, end / UM_DEG);
   if (!is_round(s))
     return um_geometry_tas_fail(t, shape,
-                                "its radii or cuts (%g, %g, %g m); expected: radii above "
+                                "its radii or cuts (%g, %g, %g m); accepted: radii above "
                                 "0 and cuts in order",
                                 s->length[0], s->length[1], s->length[2]);
   return UM_OK;
@@ -113,7 +113,7 @@ enum um_status um_geometry_tas_read_surface(const struct um_geometry_tas *t,
     if (um_geometry_part21_is(shape->name, kinds[k].surface))
       return read_kind(t, shape, (enum um_geometry_tas_kind)k, out);
   return um_geometry_tas_fail(t, shape,
-                              "is no shape that is read; expected: MGM_RECTANGLE, _TRIANGLE, "
+                              "is no shape that is read; accepted: MGM_RECTANGLE, _TRIANGLE, "
                               "_QUADRILATERAL, _DISC, _CYLINDER, _CONE, _SPHERE, _PARABOLOID");
 }
 

@@ -45,7 +45,7 @@ static enum um_status make_flat(struct um_geometry_tas *t, um_geometry_tas_item 
   double volume = um_vec3_dot(um_vec3_cross(edge[0], edge[1]), edge[2]);
   double size = um_vec3_norm(edge[0]) * um_vec3_norm(edge[1]) * um_vec3_norm(edge[2]);
   if (!(fabs(volume) > 1e-6 * size))
-    return um_geometry_tas_fail(t, item, "its corners; expected: three edges that span a volume");
+    return um_geometry_tas_fail(t, item, "its corners; accepted: three edges that span a volume");
   middle = um_vec3_axpy(p[0], prism ? 0.25 : 0.5, um_vec3_add(edge[0], edge[1]));
   middle = um_vec3_axpy(middle, 0.5, edge[2]);
   for (int i = 0; i < 3; i++) {
@@ -113,10 +113,10 @@ static enum um_status make_solid(struct um_geometry_tas *t, um_geometry_tas_item
   UM_TRY(um_geometry_tas_read_solid(t, item, &s, &is));
   if (!is)
     return um_geometry_tas_fail(t, item,
-                                "is no solid that is read; expected: MGM_SOLID_BOX, "
+                                "is no solid that is read; accepted: MGM_SOLID_BOX, "
                                 "_TRIANGULAR_PRISM, _CYLINDER, _CONE, _SPHERE");
   if (!(s.sweep > 2.0 * UM_PI - 1e-6))
-    return um_geometry_tas_fail(t, item, "a solid of %g deg; expected: a whole turn, 360 deg",
+    return um_geometry_tas_fail(t, item, "a solid of %g deg; accepted: a whole turn, 360 deg",
                                 s.sweep / UM_DEG);
   s.point[0] = um_geometry_tas_move(frame, s.point[0]);
   s.x = um_mat3_apply(frame->turn, s.x);
@@ -137,7 +137,7 @@ enum um_status um_geometry_tas_cut_begin(struct um_geometry_tas *t, um_geometry_
       (sense != NULL &&
        !(sense->kind == UM_PART21_ENUM && um_geometry_part21_is(sense->text, "INSIDE"))))
     return um_geometry_tas_fail(t, tool,
-                                "is no tool that is read; expected: MGM_HALF_SPACE_SOLID that "
+                                "is no tool that is read; accepted: MGM_HALF_SPACE_SOLID that "
                                 "takes away what is .INSIDE.");
   UM_TRY(um_geometry_tas_item_at(t, tool, 4, "a solid", false, &solid));
   UM_TRY(um_geometry_tas_place(t, tool, 3, frame, &place));

@@ -54,15 +54,17 @@ static enum um_status make_nodes(struct um_context *context, const struct um_mod
 static enum um_status write_air(struct um_context *context, const struct um_output_run *run,
                                 FILE *file)
 {
+  enum um_status status;
   const struct um_environment_clear_sky *sky = &run->model->environment.sky;
   struct node *node = NULL;
   size_t count;
-  UM_TRY(make_nodes(context, run->model, &node, &count));
+  UM_CHECK(make_nodes(context, run->model, &node, &count));
   fputs("zenith_deg,wavelength_um,transmission,radiance_W_m2_sr_um\n", file);
   for (size_t z = 0; z < ZENITHS; z++) {
     double airmass = um_environment_airmass((90.0 - zeniths[z]) * UM_DEG);
     for (size_t i = 0; i < count; i++) {
       double from = node[i].from, to = node[i].to;
+      if (i % 256 == 0) UM_CHECK(um_core_stop_check(context, "the sky was written"));
       fprintf(file, "%g", zeniths[z]);
       um_core_csv_put_number(file, 1e6 * node[i].at);
       um_core_csv_put_number(file, um_environment_clear_sky_transmission(sky, from, to, airmass));
@@ -71,8 +73,9 @@ static enum um_status write_air(struct um_context *context, const struct um_outp
       fputc('\n', file);
     }
   }
+done:
   um_core_free(context, node);
-  return UM_OK;
+  return status;
 }
 
 /* What the line of sight of observation k has in the bins of a band. */

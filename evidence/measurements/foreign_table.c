@@ -242,14 +242,14 @@ enum um_status um_compare_foreign_table_read(struct um_context *context, const c
   struct page page = {.context = context};
   *out = NULL;
   UM_CHECK(um_core_file_read(context, path, BYTES_MAX, &text, &length));
-  bool is_kind;
-  UM_CHECK(read_kind(context, path, text, length, out, &is_kind));
+  bool is_kind, is_marked = strncmp(text, "\xef\xbb\xbf", 3) == 0; /* UTF-8 mark */
+  const char *begin = is_marked ? text + 3 : text;
+  UM_CHECK(read_kind(context, path, begin, length - (size_t)(begin - text), out, &is_kind));
   if (is_kind) goto done;
   if (strlen(text) != length) {
     status = um_core_fail(context, UM_ERR_INPUT, "%s: not a text file; accepted: a table", path);
     goto done;
   }
-  const char *begin = strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text; /* UTF-8 mark */
   UM_CHECK(find_head(context, path, begin, &head));
   UM_CHECK(convert(&page, begin, &head));
   UM_CHECK(um_core_csv_parse(context, path, page.text, page.length, out));

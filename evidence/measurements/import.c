@@ -116,7 +116,7 @@ static enum um_status value_column(struct importer *r, struct um_compare_columns
                       n == 0 ? "which column is the value?" : "more than one kind of value;");
 }
 
-/* Does `text` of a length end in `tail`, of which the length is taken off? */
+/* Takes `tail` off the end of a text of *length characters; false: it does not stand there. */
 static bool take_end(const char *text, size_t *length, const char *tail)
 {
   size_t n = strlen(tail);

@@ -80,8 +80,9 @@ static void test_tracking_xml(void **state)
   expect_refused(faults, sizeof faults / sizeof *faults, &tracks);
 }
 
-/* Data messages of CNES: a value a row in two segments, then three, one of them a text. The keys
- * that may lack are left out of the first, as CNES's own script for such files does. */
+/* Data messages of CNES: a value a row in two segments behind the mark of UTF-8, then three, one of
+ * them a text. The keys that may lack are left out of the first, as CNES's own script for such
+ * files does. */
 static void test_data_message(void **state)
 {
   (void)state;
@@ -94,7 +95,8 @@ static void test_data_message(void **state)
       .time = "time_utc", .temperature = "PANEL", .of = "panel", .unit = "C"};
   struct um_compare_imported found;
   struct um_compare_measurements *m =
-      import(MEM OF("PANEL", "UTC") ROWS OF("PANEL", "UTC") "57653 0.0 1\n", &columns, &found);
+      import("\xef\xbb\xbf" MEM OF("PANEL", "UTC") ROWS OF("PANEL", "UTC") "57653 0.0 1\n",
+             &columns, &found);
   assert_int_equal(m->count, 3);
   assert_close(m->row[0].value, 285.65, 1e-12);
   assert_close(m->row[1].t_tai - m->row[0].t_tai, 10.5, 1e-6);
