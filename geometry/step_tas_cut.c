@@ -8,9 +8,8 @@
 
 #define NEAR   1e-9 /* of the surface's size: on a plane, on an edge */
 #define SLIVER 1e-7 /* twice the area over the longest edge squared: nothing */
-#define FACETS                                                                                     \
-  20000              /* of a surface that is cut: every edge is held against every point of a cut  \
-                      */
+/* Facets of a surface that is cut: every edge is held against every point of a cut. */
+#define FACETS  20000
 #define CORNERS 4096 /* of a face, as OBJ takes them */
 
 /* --- pieces ---------------------------------------------------------------------------------- */
